@@ -1,11 +1,11 @@
-//! Link path of MuJoCo's library for the feature `mujoco`, and whether tests have a firmware image.
+//! Sets the link path of MuJoCo's library for the feature `mujoco`, and enables the tests that need a firmware image.
 
 use std::env;
 
 #[path = "../../sim/body/rpath.rs"]
 mod rpath;
 
-/// Firmware image for the tests; `cargo xtask firmware` sets it.
+/// Path of the firmware image for the tests; `cargo xtask firmware` sets it.
 const IMAGE: &str = "BICA_IMAGE";
 
 fn main() {

@@ -1,4 +1,4 @@
-//! Prints the table of `docs/forward.md`: games with a fault, from 8 s on.
+//! Prints the table of `docs/forward.md`: games with a fault that begins after 8 s.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use bica_sim::setup::Frame;
 /// Number of games for each fault.
 const GAMES: u64 = 10;
 
-/// Options of the world.
+/// Options of the world, one for each fault.
 const FAULTS: [&str; 10] = [
     "",
     "image=freeze",
@@ -23,7 +23,7 @@ const FAULTS: [&str; 10] = [
     "button=8",
 ];
 
-/// The state of the root at the end.
+/// State of the root at the end of a game.
 #[derive(Default)]
 struct LastState(String);
 

@@ -1,7 +1,8 @@
-//! What the link, or a ROS 2 node, costs the forward's loop: the processor time of its cycles with and without it in one run.
+//! Cost of the link, or of a ROS 2 node, for the forward's loop: processor time of the cycles with and without it, in one run.
 //!
-//! `cargo run --profile dist -p bica-player-program --features measure,ros --example link_cost -- --ros`: images of 640×480 at 30/s, in
-//! real time, whose owner is shared with the link, as in a game. It prints a line for each window of time, until the end of its input.
+//! `cargo run --profile dist -p bica-player-program --features measure,ros --example link_cost -- --ros`: images of
+//! 640×480 at 30/s, in real time. As in a game, the link shares the owner of the image. Prints a line for each window
+//! of time, until the end of its input.
 
 use std::io::{Read as _, stdin};
 use std::sync::Arc;
@@ -64,7 +65,7 @@ fn run(args: &Args) {
     }
 }
 
-/// Processor time of this thread: other programs do not count.
+/// Processor time of this thread; other programs are not counted.
 fn processor_time() -> Duration {
     let time = clock_gettime(ClockId::ThreadCPUTime);
     Duration::new(time.tv_sec as u64, time.tv_nsec as u32)

@@ -1,8 +1,9 @@
-//! Cost of a recording: bytes per second, processor time of its thread, and time of the loop with and without it in one run.
+//! Cost of a recording: bytes per second, processor time of its thread, and time of the loop with and without it, in one run.
 //!
 //! `cargo run --profile dist -p bica-player-program --features measure --example recording_cost -- [FOLDER]`: images of
-//! 640×480 at 30/s, in real time, whose owner is shared with the recorder, as in a game, or which the loop copies. With a folder of raw
-//! images `NAME_640x240.yuyv` (every second row) two of these make up an image, else the built-in world renders them.
+//! 640×480 at 30/s, in real time. The recorder shares the owner of the image, as in a game, or the loop copies the
+//! image. With a folder of raw images `NAME_640x240.yuyv` (every second row) two of them make up one image; without it
+//! the built-in world renders the images.
 
 use std::fs;
 use std::path::{Path, PathBuf};

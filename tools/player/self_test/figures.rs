@@ -1,4 +1,4 @@
-//! The committed instruction counts, and their comparison with a game.
+//! Committed instruction counts, and their comparison with those of a game.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -10,7 +10,7 @@ use crate::game::Played;
 
 /// Tolerated relative difference from the committed counts.
 const TOLERANCE: f64 = 0.02;
-/// Resolution of the microcontroller's counter, instructions: a difference of one tick is always tolerated.
+/// Resolution of the microcontroller's counter, instructions. A difference of one tick is always tolerated.
 const RESOLUTION: u64 = 40;
 
 const HEADING: &str =
@@ -24,7 +24,7 @@ fn figures(played: &Played) -> impl Iterator<Item = (&str, u64, u64)> {
         .filter_map(|(name, list)| Some((name, *list.get(list.len() / 2)?, *list.last()?)))
 }
 
-/// Commits the counts of a game.
+/// Writes the counts of a game to the file that is committed.
 pub(crate) fn write(path: &Path, played: &Played) -> Result<(), Box<dyn Error>> {
     let mut text = HEADING.to_owned();
     for (name, median, max) in figures(played) {
@@ -62,10 +62,10 @@ pub(crate) fn compare(path: &Path, played: &Played) -> Result<(), Box<dyn Error>
 /// Tolerated relative excess of the chain with a tunable tree over the committed one.
 const TUNABLE: f64 = 0.03;
 
-/// Prints the chain of a game with a tunable tree and compares it with the committed one of constants.
+/// Prints the chain of a game with a tunable tree and compares it with the committed one of the tree with constants.
 ///
 /// # Errors
-/// If median or maximum are more than 3 % higher, or the file has no chain.
+/// If the median or the maximum is more than 3 % higher, or the file has no chain.
 pub(crate) fn compare_chain(path: &Path, played: &Played) -> Result<(), Box<dyn Error>> {
     let text = fs::read_to_string(path)?;
     let line = text.lines().find_map(|line| line.strip_prefix("chain ")).ok_or("no line of the chain")?;

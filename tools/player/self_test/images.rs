@@ -40,12 +40,13 @@ struct Body {
     incomplete: u32,
 }
 
-/// Sends an image before the detectors have run, and a part of the next image. With memory for two images the detectors process the
-/// first, with memory for one they process none. Then the second image remains incomplete, and a third one is complete.
+/// Sends an image before the detectors have run, and a part of the next image. With memory for two images the detectors
+/// process the first one; with memory for one image they process none. After that the second image remains incomplete,
+/// and a third one is complete.
 ///
 /// # Errors
-/// If a detector runs on a part of an image, or on none of the complete ones, if the ball, which each image shows, is lost, or if
-/// images are miscounted.
+/// If a detector runs on a part of an image or misses a complete one, if the ball, which each image shows, is lost, or
+/// if images are miscounted.
 pub(crate) fn check(image: &Path, frame: Frame) -> Result<(), Box<dyn Error>> {
     let log = session::log_path(image, "images", Transport::Pipe);
     let robot = session::start_with_log(image, Transport::Pipe, ClockMode::Lockstep, Some(&log))?;
@@ -75,7 +76,7 @@ impl CameraImage {
         Ok(Self { yuyv: image.yuyv.to_vec(), size: (image.width, image.height) })
     }
 
-    /// Returns the message of a robot that stands still and sees the image, with a number.
+    /// Returns the sensor message of a robot that stands still and receives this image with number `id`.
     pub(crate) fn stands(&self, time_us: u64, id: u32) -> SensorsMessage {
         let image = Image { camera: CameraId::Top, width: self.size.0, height: self.size.1, yuyv: &self.yuyv };
         SensorsMessage::new(time_us, &Sensors { image: Some(image), ..standing() }, id)
@@ -83,8 +84,8 @@ impl CameraImage {
 }
 
 impl Body {
-    /// Sends these chunks of an image, then sensor values, which claim a complete image if `with_image`. Returns
-    /// whether a detector processed an image in this cycle.
+    /// Sends the chunks `sent` of an image, then sensor values, which announce a complete image if `with_image` is set.
+    /// Returns whether a detector processed an image in this cycle.
     fn run(&mut self, id: u32, sent: std::ops::Range<usize>, with_image: bool) -> Result<bool, Box<dyn Error>> {
         let link = self.robot.link();
         for chunk in chunks(id, &self.camera.yuyv).skip(sent.start).take(sent.len()) {

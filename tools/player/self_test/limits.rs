@@ -18,7 +18,7 @@ const FLASH_WITH_MONITORS: u64 = 276 * KIB;
 const MEMORY: u64 = 256 * KIB;
 /// Limit of the static memory without the memory for camera images, bytes.
 const OTHER_MEMORY: u64 = 64 * KIB;
-/// The same with the server for monitors. Ages of estimates and the monitor of camera and gyroscope need 0.3 KiB of it.
+/// The same limit with the server for monitors. Ages of estimates and the monitor of camera and gyroscope need 0.3 KiB of it.
 const OTHER_MEMORY_WITH_MONITORS: u64 = 65 * KIB;
 const STACK: u64 = 16 * KIB;
 
@@ -28,9 +28,9 @@ pub(crate) struct Limits {
     flash: u64,
     /// Size of the memory for camera images, bytes; not a limit.
     image_memory: u64,
-    /// Static memory without it, bytes.
+    /// Static memory without the memory for camera images, bytes.
     other_memory: u64,
-    /// The sense-think-act chain, instructions.
+    /// Sense-think-act chain, instructions.
     chain: u64,
 }
 
@@ -56,7 +56,7 @@ pub(crate) const fn bytes(frame: Frame) -> usize {
 /// Prints the figures of image and game and compares them with the limits.
 ///
 /// # Errors
-/// The names of the figures that are above their limit, or zero after a failed measurement.
+/// The names of the figures that exceed their limit, or are zero after a failed measurement.
 pub(crate) fn check(sections: &Sections, played: &Played, limits: &Limits) -> Result<(), Box<dyn Error>> {
     let chain = played.chain.last().copied().unwrap_or(0);
     let figures = [

@@ -1,4 +1,4 @@
-//! Fuzzing of the link to the running image: on a damaged stream the image behaves like a model on the host.
+//! Fuzzing of the link to the running image: on a damaged stream the image must behave like a model on the host.
 
 use std::error::Error;
 use std::path::Path;
@@ -28,7 +28,7 @@ struct Model {
     stats: LinkStats,
 }
 
-/// Damages the link for a time and returns a summary.
+/// Damages the link for the given time and returns a summary.
 ///
 /// # Errors
 /// If the robot accepts a message that was not sent, misses an undamaged one, miscounts, panics or becomes silent.
@@ -149,7 +149,7 @@ fn parts<'a>((stray, sensors): &'a Round<'a>) -> Vec<ToRobot<'a>> {
     stray.map(ToRobot::ImageChunk).into_iter().chain(sensors.chunks()).chain([sensors.message()]).collect()
 }
 
-/// Sensor values, with their image, or a part of another image before them.
+/// Sensor values with their image, preceded by an optional chunk of another image.
 type Round<'a> = (Option<ImageChunk<'a>>, SensorsMessage);
 
 fn rounds<'a>(random: &mut Random, image: Option<&'a Vec<u8>>) -> Vec<Round<'a>> {
@@ -168,7 +168,7 @@ fn rounds<'a>(random: &mut Random, image: Option<&'a Vec<u8>>) -> Vec<Round<'a>>
     rounds
 }
 
-/// Returns sensor values similar to a standing robot's, at a random time, which identifies them.
+/// Returns sensor values similar to those of a standing robot, at a random time that identifies them.
 fn sensors(random: &mut Random, image: Option<Image<'_>>) -> SensorsMessage {
     let time_us = random.next() >> 24;
     let mut sensors = Sensors { image, ..standing() };

@@ -60,7 +60,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs all tests of an image without the server for monitors; `bless` commits the instruction counts of this game
+/// Runs all tests of an image without the server for monitors. `bless` writes the instruction counts of this game
 /// instead of comparing them.
 fn test(image: &Path, figures: &Path, bless: bool) -> Result<(), Box<dyn Error>> {
     limit_time();
@@ -82,7 +82,7 @@ fn test(image: &Path, figures: &Path, bless: bool) -> Result<(), Box<dyn Error>>
     if bless { figures::write(figures, &played) } else { figures::compare(figures, &played) }
 }
 
-/// Tests the image with the server for monitors: its game equals the host's, within separate limits.
+/// Tests the image with the server for monitors: its game must equal the host's and stay within separate limits.
 fn test_monitors(image: &Path, figures: &Path) -> Result<(), Box<dyn Error>> {
     limit_time();
     let played = game::play(image, 0, Frame::Small)?;
@@ -92,7 +92,7 @@ fn test_monitors(image: &Path, figures: &Path) -> Result<(), Box<dyn Error>> {
     parts::run_all(monitors::list(image))
 }
 
-/// Ends the program if it does not end in time.
+/// Ends the program with an error after `TIMEOUT`.
 fn limit_time() {
     thread::spawn(|| {
         thread::sleep(TIMEOUT);
@@ -101,7 +101,7 @@ fn limit_time() {
     });
 }
 
-/// Damages the link to the image for a time.
+/// Fuzzes the link to the image for a time.
 fn fuzz(image: &Path, seconds: u64, seed: u64) -> Result<(), Box<dyn Error>> {
     let time = Duration::from_secs(seconds);
     println!("fuzz: link by pipe: {}", link_fuzz::run(image, Transport::Pipe, time, seed)?);

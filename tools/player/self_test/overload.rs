@@ -25,17 +25,17 @@ const IMAGES: u32 = 150;
 const DELAY_START: u32 = 15;
 /// Number of the image before which the delay ends.
 const DELAY_END: u32 = 60;
-/// Number of cycles observed. The images last longer, also with the cycles that are left out, because the microcontroller's time stands
-/// still without input.
+/// Number of cycles observed. The images last longer than these cycles and the skipped ones, because the
+/// microcontroller's time stands still without input.
 const CYCLES: usize = 300;
 /// Delay of each run, ticks of 40 ns: 25 ms, which is two and a half cycles.
 const DELAY_TICKS: u32 = 625_000;
-/// Time stamp of all sensor values sent. Only telemetry with another time stamp carries the microcontroller's time.
+/// Time stamp of all sensor values sent. Telemetry with another time stamp has the microcontroller's time.
 const NO_TIME: u64 = 0;
 /// Minimum number of cycles without delay at the end.
 const RECOVERED_CYCLES: usize = 50;
 
-/// Checked parts of a cycle's report.
+/// Fields of a cycle's report that are checked.
 struct Cycle {
     time_us: u64,
     late_cycles: u32,
@@ -48,7 +48,7 @@ struct Cycle {
 /// Delays every run of the ball detector by 25 ms for one and a half seconds.
 ///
 /// # Errors
-/// If the cycles that are left out are not counted or not logged, or if another cycle or a run is dropped.
+/// If the skipped cycles are not counted or not logged, or if another cycle or a run is dropped.
 pub(crate) fn overload(image: &Path, transport: Transport) -> Result<(), Box<dyn Error>> {
     let log = log_path(image, "overload", transport);
     let mut robot = start_with_log(image, transport, ClockMode::FreeRunning, Some(&log))?;
@@ -73,7 +73,7 @@ pub(crate) fn overload(image: &Path, transport: Transport) -> Result<(), Box<dyn
     Ok(())
 }
 
-/// Returns the number of cycles that were left out.
+/// Returns the number of skipped cycles.
 fn judge(cycles: &[Cycle]) -> Result<u32, Box<dyn Error>> {
     let delayed: Vec<usize> = (0..cycles.len()).filter(|&index| cycles[index].delayed).collect();
     let (Some(&first), Some(&last), Some(end)) = (delayed.first(), delayed.last(), cycles.last()) else {
@@ -89,7 +89,7 @@ fn judge(cycles: &[Cycle]) -> Result<u32, Box<dyn Error>> {
     if recovered < RECOVERED_CYCLES {
         return Err(format!("only {recovered} cycles without delay at the end").into());
     }
-    // The declared rate is 30 runs in 100 periods. Delays must not change it.
+    // The declared rate is 30 runs in 100 periods; the delays must not change it.
     let (tenfold_runs, periods) = (10 * (runs - 1), cycles[last].period(last) - cycles[first].period(first));
     if tenfold_runs.abs_diff(3 * periods as u32) > 20 {
         return Err(format!("{runs} runs in {periods} periods: runs were dropped").into());
@@ -102,7 +102,7 @@ fn judge(cycles: &[Cycle]) -> Result<u32, Box<dyn Error>> {
     Ok(end.late_cycles)
 }
 
-/// Requires one cycle per 10 ms on average, run or left out.
+/// Requires one cycle per 10 ms on average; skipped cycles count.
 fn expect_every_cycle(cycles: &[Cycle]) -> Result<(), Box<dyn Error>> {
     let own =
         |(index, cycle): (usize, &Cycle)| (cycle.time_us != NO_TIME).then_some((cycle.period(index), cycle.time_us));

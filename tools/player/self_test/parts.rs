@@ -1,4 +1,4 @@
-//! The independent parts of the test, run two at a time.
+//! Independent parts of the test, of which two run at a time.
 
 use std::error::Error;
 use std::path::Path;
@@ -11,14 +11,14 @@ use bica_sim::setup::Frame;
 
 use crate::{images, link_fuzz, scenarios, sequences};
 
-/// Duration of the fuzzing in every test; `--fuzz` takes another one.
+/// Duration of the fuzzing in every test; `--fuzz` sets another one.
 const FUZZ: Duration = Duration::from_secs(10);
 
 /// A part of the test: its name, and the check, which returns a summary.
 pub(crate) type Part<'a> = (String, Box<dyn FnOnce() -> Result<String, Box<dyn Error>> + Send + 'a>);
 
-/// Returns all parts for a firmware image with camera images of a size. Most parts exist only for the smallest size,
-/// which takes the least time, because the firmware images are otherwise equal.
+/// Returns all parts for a firmware image with camera images of a size. Most parts run only for the smallest size,
+/// which takes the least time: the firmware images are otherwise equal.
 pub(crate) fn list(image: &Path, frame: Frame) -> Vec<Part<'_>> {
     let mut parts: Vec<Part<'_>> = Vec::new();
     parts.push((images::NAME.to_owned(), Box::new(move || images::check(image, frame).map(|()| "passed".to_owned()))));

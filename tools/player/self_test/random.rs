@@ -1,4 +1,4 @@
-//! Reproducible pseudo-random numbers, and damage made with them.
+//! Reproducible pseudo-random numbers, and random damage.
 
 /// A sequence of pseudo-random numbers (`SplitMix64`, S. Vigna).
 pub(crate) struct Random(u64);
@@ -9,7 +9,7 @@ impl Random {
         Self(seed)
     }
 
-    /// Returns any number.
+    /// Returns a random 64-bit number.
     pub(crate) const fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -24,7 +24,7 @@ impl Reference {
     /// Runs one sense-think-act cycle on the host.
     pub(crate) fn cycle(&mut self, time_us: u64, sensors: &Sensors<'_>) -> Command {
         let now = Instant::from_micros(time_us);
-        // The firmware ignores an image that does not fit, too.
+        // An image that does not fit is ignored, as in the firmware.
         let _ = self.0.sense(now, sensors);
         self.0.think(now)
     }

@@ -18,7 +18,7 @@ use crate::overload;
 use crate::session::{self, command, expect_eq, log_path, standing, stands, telemetry};
 
 type Outcome = Result<(), Box<dyn Error>>;
-/// A scenario: the property that it checks, the transport, the check.
+/// A scenario: the property that it checks, the transport, and the check.
 type Scenario = (&'static str, Transport, fn(&Path, Transport) -> Outcome);
 
 /// All scenarios.

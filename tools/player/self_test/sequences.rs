@@ -18,7 +18,8 @@ use crate::reference::Reference;
 pub(crate) struct Sequence {
     pub(crate) name: &'static str,
     transport: Transport,
-    /// Seed, number of robots besides the goalkeeper, number of cycles. Between two worlds the robot is displaced.
+    /// Worlds: seed, number of robots besides the goalkeeper, and number of cycles. From one world to the next the
+    /// robot is displaced.
     worlds: &'static [(u64, usize, usize)],
     /// Change of the sensor values of a cycle.
     disturb: fn(&mut Sample, usize, &mut Random),
@@ -28,7 +29,7 @@ pub(crate) struct Sequence {
 struct Sample {
     time_us: u64,
     sensors: Sensors<'static>,
-    /// The new image, if there is one, and its pixels.
+    /// The new image with its pixels, if there is one.
     image: Option<(Image<'static>, Vec<u8>)>,
 }
 
@@ -111,7 +112,8 @@ fn fall(sample: &mut Sample, cycle: usize, _: &mut Random) {
     (sample.sensors.left_foot, sample.sensors.right_foot) = (none, none);
 }
 
-/// At random, a value is invalid or an image is noise; at fixed cycles the clock stands still, jumps or goes back.
+/// Corrupts sensor values at random: some are invalid, or an image is noise. At fixed cycles the clock stands still,
+/// jumps or goes back.
 fn corrupt(sample: &mut Sample, cycle: usize, random: &mut Random) {
     let special = [f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, -0.0, f32::MIN_POSITIVE];
     let Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, .. } = &mut sample.sensors;

@@ -37,7 +37,7 @@ pub(crate) fn start_game(robot: &mut Emulator, clock_mode: ClockMode) -> Result<
     robot.link().receive(identity()).map_err(Into::into)
 }
 
-/// Returns the size of the largest camera images that an image takes.
+/// Returns the size of the largest camera images that a firmware image accepts.
 pub(crate) fn frame(image: &Path) -> Result<Frame, Box<dyn Error>> {
     let mut robot = Emulator::start(image, Transport::Pipe, None)?;
     let bytes = robot.link().receive(|message| match message {
@@ -55,7 +55,7 @@ pub(crate) fn log_path(image: &Path, scenario: &str, transport: Transport) -> Pa
 
 /// Returns the message that starts a game.
 pub(crate) const fn hello(clock_mode: ClockMode) -> ToRobot<'static> {
-    // The goal to attack is the yellow one.
+    // The attacked goal is the yellow one.
     ToRobot::Hello(Hello { schema: SCHEMA, messages: MESSAGES, clock_mode, set_up: &[0] })
 }
 
@@ -89,7 +89,7 @@ pub(crate) fn standing() -> Sensors<'static> {
     }
 }
 
-/// Returns the message of a robot that stands still.
+/// Returns the sensor message of a robot that stands still.
 pub(crate) fn stands(time_us: u64) -> SensorsMessage {
     SensorsMessage::new(time_us, &standing(), 0)
 }

@@ -1,4 +1,4 @@
-//! Instructions for each camera image: its reception, and the cycles until the next one.
+//! Instructions for each camera image: its reception, and the cycles until the next image.
 
 use std::error::Error;
 use std::path::Path;
@@ -16,7 +16,7 @@ use crate::session::{self, telemetry};
 const IMAGES: u32 = 20;
 /// Instructions in a second of the microcontroller's time.
 const HZ: f64 = 1e9;
-/// Number of cycles without an image until the next one: 3.3 cycles begin in the period of an image.
+/// Number of cycles without an image before the next image: 3.3 cycles begin in the period of an image.
 const CYCLES_WITHOUT: u64 = 3;
 /// Limit for an image, instructions: 30 images/s on a processor of 480 MHz that executes one instruction in a clock cycle.
 const LIMIT: u64 = 480_000_000 / 30;
@@ -25,7 +25,7 @@ const LIMIT: u64 = 480_000_000 / 30;
 /// their sum with the limit.
 ///
 /// # Errors
-/// If they are above the limit.
+/// If the sum exceeds the limit.
 pub(crate) fn check(image: &Path, frame: Frame, played: &Played) -> Result<(), Box<dyn Error>> {
     let reception = reception(image, frame)?;
     let median = played.chain.get(played.chain.len() / 2).copied().unwrap_or(0);

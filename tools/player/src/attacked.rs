@@ -1,4 +1,4 @@
-//! The attacked goal of a robot that is not told by its world, as an option in the recording of a game.
+//! Attacked goal as an option in the recording of a game, for robots whose world does not determine it.
 
 use std::fmt;
 
@@ -16,8 +16,8 @@ pub(crate) const SKY_BLUE: &str = "sky-blue";
 /// Value of the option for the yellow goal, which is the default.
 pub(crate) const YELLOW: &str = "yellow";
 
-/// Runs the code again on the recording of a game in a world, with the robot that `maker` makes for the recorded goal; `None` if it is
-/// not one of this world.
+/// Replays the recording of a game in a world, with the robot that `maker` makes for the recorded goal; `None` if the
+/// recording is not of this world.
 pub(crate) fn replay<R>(
     options: &ReplayOptions<'_>,
     world: &str,
@@ -26,7 +26,7 @@ pub(crate) fn replay<R>(
 where
     R: Robot<Error: fmt::Display> + Recordable + Default + 'static,
 {
-    // The reader of the other games reports a file that cannot be read.
+    // The reader of the other games reports an unreadable file.
     let recording = Recording::open(options.path).ok()?;
     let set_up = &recording.header().set_up;
     let attacks_sky_blue =

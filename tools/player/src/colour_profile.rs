@@ -1,4 +1,4 @@
-//! A colour profile as values of the parameters of `Colours`.
+//! Colour profile as values for the parameters of `Colours`.
 
 use bica_app::Failure;
 use bica_app::Layer;

@@ -1,7 +1,6 @@
 //! The program `player`: games of the forward, its vision on recorded images, and the commands of every robot.
 //!
-//! A library beside the program, so that other programs can play games, and a test can parse every command that the
-//! documentation shows.
+//! It is a library so that other programs can play games, and a test can parse every command in the documentation.
 
 #[cfg(any(all(feature = "lola", unix), feature = "referee"))]
 mod attacked;
@@ -27,7 +26,7 @@ use bica_player::tunable::Forward;
 use cli::Command;
 use colour_profile::ColourProfile;
 
-/// Runs the program. It is not generic, so it is compiled with this library, and not once more with the program.
+/// Runs the program. The function is not generic, so it is compiled only once, with this library.
 #[must_use]
 pub fn run() -> ExitCode {
     app().run()

@@ -19,9 +19,9 @@ use crate::attacked::{self, ATTACKS, SKY_BLUE, YELLOW};
 use crate::cli::Play;
 use crate::colour_profile::ColourProfile;
 
-/// Name of the world.
+/// Name of the world in recordings and options.
 const WORLD: &str = "lola";
-/// LoLA's socket on the robot.
+/// Path of LoLA's socket on the robot.
 const SOCKET: &str = "/tmp/robocup";
 /// Command that runs the guard.
 pub(crate) const GUARD: &str = "lola-guard";
@@ -55,7 +55,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         seed: args.seed,
         option: args.option.clone(),
         realtime: false,
-        // The robot must sit down before the run ends: its world keeps the time.
+        // No limit here: the world itself ends the run, after the robot has sat down.
         seconds: None,
         record: args.record.clone(),
         link: args.link.clone(),
@@ -67,7 +67,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     Ok(if is_low || opened == 0 { Outcome::Success } else { Outcome::Unsuccessful })
 }
 
-/// Runs the guard of a run with a socket: `player lola-guard SOCKET`, which a run itself starts.
+/// Runs the guard of a socket: `player lola-guard SOCKET`. A run starts this command itself.
 pub(crate) fn guard(socket: &Path) -> Result<Outcome, Failure> {
     interrupt::end_in_order();
     let ended = bica_lola::guard(socket.to_owned(), say);
@@ -88,12 +88,12 @@ fn say(text: &str) {
     eprintln!("lola: {text}");
 }
 
-/// Runs the code again on the recording of a game; `None` if it is not one of this world.
+/// Replays the recording of a game; `None` if the recording is not of this world.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
     attacked::replay(options, WORLD, maker)
 }
 
-/// Refuses what a real robot does not have, and a socket that can never be one.
+/// Refuses options that a real robot does not support, and paths that cannot be a socket.
 fn refuse(args: &Play) -> Result<(), Failure> {
     let simulated = args.pictures.is_some() || args.film.is_some() || args.games.is_some() || args.robots > 0;
     if simulated || args.image.is_some() || args.league.server.is_some() || args.league.against {
@@ -126,7 +126,7 @@ fn refuse(args: &Play) -> Result<(), Failure> {
     }
 }
 
-/// Goal that `--option attacks=COLOUR` names.
+/// Parses the goal in `--option attacks=COLOUR`.
 fn attacked_goal(options: &[String]) -> Result<GoalColour, Failure> {
     let colour = options.iter().filter_map(|option| option.split_once('=')).find(|(name, _)| name.trim() == ATTACKS);
     match colour.map(|(_, colour)| colour.trim()) {
@@ -146,7 +146,7 @@ fn maker(attacks: GoalColour) -> fn() -> Box<Forward> {
     }
 }
 
-/// The forward with the motions for a body with dynamics.
+/// Returns the forward with the motion profile for a body with dynamics.
 fn forward(attacks: GoalColour) -> Box<Forward> {
     let mut forward = Box::new(Forward::new());
     forward.get_mut::<RobotProfile>().set(NAO.dynamic_profile);
@@ -154,10 +154,10 @@ fn forward(attacks: GoalColour) -> Box<Forward> {
     forward
 }
 
-/// Presses the chest button, as a referee does, while the light in it shows that the robot plays: it ends its step and stands.
+/// Presses the chest button, as a referee does, while its light shows that the robot plays: the robot ends its step and stands.
 const fn end_motion(cycle: u32, buttons: &mut Buttons, command: &Command) {
     let Light(red, green, _) = command.lights.chest;
-    // A press begins where the button was released before.
+    // A press must follow a release, so every second cycle releases the button.
     buttons.chest = green > red && cycle % 2 == 1;
 }
 

@@ -82,7 +82,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
                 let started = address
                     .as_ref()
                     .map(|address| args.link.started(console, &Description::of(&GRAPH), address, bound));
-                // The game has one server, which starts once.
+                // The game starts its server only once.
                 let _ = node.set(started.transpose()?);
                 Ok(())
             };
@@ -97,7 +97,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     }
 }
 
-/// Runs the code again on a recording of this program.
+/// Runs the code again on a recording of this program, of any of its worlds.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failure> {
     #[cfg(feature = "league")]
     if let Some(report) = crate::league::replay(options) {
@@ -114,14 +114,14 @@ pub(crate) fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failur
     crate::game::replay(options)
 }
 
-/// Returns the error of what needs a feature of Cargo.
+/// Returns the error for an option that needs a Cargo feature.
 #[cfg(not(all(feature = "evaluation", feature = "league", feature = "lola", feature = "referee")))]
 pub(crate) fn built_without(feature: &str, what: &str) -> Failure {
     let help = format!("give Cargo the feature, too: `cargo run --release --features {feature} -- …`");
     Failure::new(format!("this program was built without {what}"), help)
 }
 
-/// Returns the parameters of the command line and of the tune files of the world.
+/// Returns the parameters from the command line and the tune files.
 fn settings(args: &Play, layers: &Layers) -> Result<&'static [Setting], Failure> {
     let settings = crate::game::settings(layers)?;
     if args.world.kind == World::Firmware && !settings.is_empty() {
@@ -131,7 +131,7 @@ fn settings(args: &Play, layers: &Layers) -> Result<&'static [Setting], Failure>
     Ok(settings)
 }
 
-/// Returns the requested world; firmware plays in the built-in one.
+/// Returns the requested world; firmware, league and LoLA use the built-in one.
 #[cfg_attr(feature = "mujoco", expect(clippy::unnecessary_wraps, reason = "without MuJoCo it is refused"))]
 fn world(world: World) -> Result<WorldKind, Failure> {
     match world {

@@ -13,7 +13,7 @@ fn game(seconds: &str, more: &[&str]) -> Output {
     player(&[&game[..], more].concat())
 }
 
-/// The recording has what the robot senses, and no true pose: the commands of the replay cannot depend on it.
+/// The recording holds the robot's perception but not the true pose, so the commands of the replay cannot depend on it.
 #[test]
 #[ignore = "needs the league's server: cargo xtask ci --only league"]
 fn recorded_game_replays_bit_for_bit() {
@@ -46,7 +46,7 @@ fn film_has_a_picture_for_each_moment() {
     let played = game("3", &["--film", &file.display().to_string()]);
     let text = String::from_utf8_lossy(&played.stdout);
     let count = text.lines().find_map(|line| line.strip_prefix("film")?.trim().split(' ').next()?.parse::<u32>().ok());
-    // 3 s with a picture each 70 ms.
+    // A film of 3 s with one picture each 70 ms.
     assert!(played.status.code() == Some(1) && count.is_some_and(|count| (41..46).contains(&count)), "{played:?}");
     assert!(std::fs::read(&file).expect("the film").starts_with(b"GIF89a"));
     std::fs::remove_file(&file).expect("the film");

@@ -1,4 +1,4 @@
-//! Two forwards that take turns on the same values, in real time: what an observer costs the loop.
+//! Two forwards that alternate on the same sensor values, in real time: measures the cost of an observer for the loop.
 
 use std::sync::{Arc, Mutex};
 use std::thread;
@@ -21,7 +21,7 @@ pub(crate) const HEIGHT: usize = 480;
 /// Number of images that are repeated.
 const IMAGES: usize = 30;
 
-/// Values of a world, with images of 640×480 at 30/s.
+/// Sensor values of a world, with images of 640×480 at 30/s.
 pub(crate) struct Values {
     world: KinematicWorld,
     images: Vec<Arc<Vec<u8>>>,
@@ -29,7 +29,7 @@ pub(crate) struct Values {
 }
 
 impl Values {
-    /// Those of the built-in world, whose images may be replaced by others.
+    /// Creates the values of the built-in world; `images` replaces its images.
     pub(crate) fn new(images: Option<Vec<Arc<Vec<u8>>>>) -> Self {
         let setup = Setup { frame: Frame::Large, ..Setup::default() };
         let mut world = KinematicWorld::new(NAO, &setup).expect("valid");
@@ -38,13 +38,13 @@ impl Values {
         Self { world, images, newest }
     }
 
-    /// Returns a function that returns the owner of an image's pixels.
+    /// Returns a function that returns the shared owner of an image's pixels.
     pub(crate) fn owner(&self) -> impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static {
         let newest = Arc::clone(&self.newest);
         move |_| Some(Arc::clone(&newest.lock().expect("no panic")))
     }
 
-    /// Runs both for a time; returns the sorted times of the cycles without and with the observer, measured by a clock, ms.
+    /// Runs both forwards for a range of cycles. Returns the sorted cycle times without and with the observer, ms, by `clock`.
     pub(crate) fn take_turns<O: Observer<Forward>>(
         &mut self,
         (requests, with): (&mut impl Requests, &mut Runner<Box<Forward>, (), (), O>),
@@ -61,7 +61,7 @@ impl Values {
             let image = Image { camera: CameraId::Top, width: WIDTH as u16, height: HEIGHT as u16, yuyv };
             let sensors = Sensors { image: has_image.then_some(image), ..self.world.sensors() };
             let now = Instant::from_millis(10 * cycle);
-            // The one that comes second finds the image in the cache.
+            // The second forward finds the image in the cache, so the order alternates.
             for index in [cycle % 2, 1 - cycle % 2] {
                 let start = clock();
                 if index == 0 {
@@ -101,7 +101,7 @@ pub(crate) fn forward() -> Box<Forward> {
     robot
 }
 
-/// Returns median, 99th percentile and maximum of sorted times as text.
+/// Returns median, 99th percentile and maximum of sorted times, as text.
 pub(crate) fn shown(times: &[f64]) -> String {
     let [median, slow, max] = [0.5, 0.99, 1.0].map(|part| percentile(times, part).unwrap_or(0.0));
     format!("median {median:.3}, p99 {slow:.3}, max {max:.3} ms")

@@ -20,7 +20,7 @@ use bica_wire::{FromMonitor, FromRobot, ToMonitor, ToRobot};
 
 use crate::session::{self, standing, stands};
 
-/// Time of a cycle, µs of the robot's time. The body also waits this long, so that the robot's time is close to a clock's.
+/// Duration of a cycle, µs of the robot's time. The body also waits this long, so that the robot's time is close to real time.
 pub(super) const CYCLE_US: u64 = 10_000;
 
 /// A cycle of the robot.
@@ -31,7 +31,7 @@ pub(super) struct Cycle {
     pub(super) active: u64,
 }
 
-/// What a monitor on the body's line received.
+/// Message that a monitor on the body's line received.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Received {
     Lease(LeaseState),

@@ -1,4 +1,4 @@
-//! Monitors of a robot that runs by its own clock.
+//! Tests of monitors with a robot that runs by its own clock.
 
 use std::error::Error;
 use std::io::Write;
@@ -17,18 +17,18 @@ use super::{Outcome, PATIENCE, expect};
 use crate::random::Random;
 use crate::session::{self, command, expect_eq, telemetry};
 
-/// Number of cycles with sensor values.
+/// Number of cycles with sensor values before the silence.
 const SEEING: usize = 100;
 /// Time from the last sensor values to the safe stand, µs: 200 ms, within three cycles.
 const SILENCE_US: std::ops::RangeInclusive<u64> = 170_000..=230_000;
 
-/// What the host sends.
+/// Data that the host sends: sensor values, heartbeats only, or nothing.
 const SENSORS: u8 = 0;
 const HEARTBEATS: u8 = 1;
 const NOTHING: u8 = 2;
 
-/// Sends sensor values to a robot, then none, then some again, while a monitor sends all the time: heartbeats on the body's line,
-/// noise on its own.
+/// Sends sensor values to a robot, then none, then some again. Meanwhile a monitor sends continuously: heartbeats on
+/// the body's line, noise on its own line.
 pub(super) fn safe_stand(image: &Path) -> Outcome {
     let mut robot = Emulator::start_with_monitors(image, Transport::PacedPipe, None)?;
     let address = robot.monitors().ok_or("no port for monitors")?;
@@ -46,7 +46,7 @@ pub(super) fn safe_stand(image: &Path) -> Outcome {
                 expect_eq(&next()?.1, &false)?;
             }
             sends.store(HEARTBEATS, Ordering::Relaxed);
-            // A cycle with sensor values has their time stamp: 0.
+            // A cycle with sensor values reports their time stamp, 0.
             let (mut blind_us, mut cycle) = (None, next()?);
             while !cycle.1 {
                 blind_us = blind_us.or((cycle.0 > 0).then_some(cycle.0));
@@ -70,7 +70,7 @@ pub(super) fn safe_stand(image: &Path) -> Outcome {
     stands(image)
 }
 
-/// Sends messages until the end of the test. The pipe's bytes are the robot's clock, so they must not run out.
+/// Sends messages until the end of the test. The robot's clock counts the bytes of the pipe, so the bytes must not run out.
 fn send(tx: &mut Tx<impl Write>, noise: &mut TcpStream, sends: &AtomicU8) -> Outcome {
     let mut random = Random::new(1);
     let mut buffer = [0; 16];
@@ -90,10 +90,10 @@ fn send(tx: &mut Tx<impl Write>, noise: &mut TcpStream, sends: &AtomicU8) -> Out
     Ok(())
 }
 
-/// Requires that the command of a robot without sensor values is to stand.
+/// Requires that a robot without sensor values commands its standing posture.
 fn stands(image: &Path) -> Outcome {
     let mut robot = session::start(image, Transport::PacedPipe, ClockMode::FreeRunning)?;
-    // 300 ms of the robot's time in bytes that are no packets.
+    // 300 ms of the robot's time, in bytes that form no packet.
     let (rx, tx) = robot.link().halves();
     thread::scope(|scope| {
         scope.spawn(|| (0..360).try_for_each(|_| tx.write(&[0; 1000])));

@@ -1,4 +1,4 @@
-//! Monitors of the running image: their data, their requests, and the absence of other changes.
+//! Monitors of the running image: their data and requests; all else must stay unchanged.
 
 mod body;
 mod free_running;
@@ -16,7 +16,7 @@ use crate::parts::Part;
 
 type Outcome = Result<(), Box<dyn Error>>;
 
-/// Maximum wait of a monitor: the emulator is slow on a busy computer.
+/// Longest wait of a monitor: the emulator is slow on a busy computer.
 const PATIENCE: Duration = Duration::from_mins(2);
 
 /// A scenario: the property that it checks, and the check of an image.
@@ -47,7 +47,7 @@ fn attach(address: SocketAddr) -> Result<Client, Box<dyn Error>> {
     Ok(Client::connect(&address, ClientOptions { timeout: PATIENCE, ..ClientOptions::default() })?)
 }
 
-/// Requires a property.
+/// Requires that a property holds.
 fn expect(property: bool, what: &str) -> Outcome {
     if property { Ok(()) } else { Err(what.to_owned().into()) }
 }

@@ -1,4 +1,4 @@
-//! Monitors that operate the robot.
+//! Tests of monitors that operate the robot.
 
 use std::path::Path;
 use std::time::Duration;
@@ -14,7 +14,7 @@ use super::body::{Body, CYCLE_US, Cycle, Received, compare_with_host, first_diff
 use super::{Outcome, attach, expect};
 use crate::session::expect_eq;
 
-/// Silence of the operator that ends the lease, and the longest time between its last message and the last answer, cycles.
+/// Silence of the operator that ends the lease, and longest time between its last message and the last answer, both in cycles.
 const SILENCE: u64 = 3_000_000 / CYCLE_US;
 const LATE: u64 = 150;
 
@@ -29,10 +29,10 @@ fn head() -> ComponentId {
     Forward::id::<Head>()
 }
 
-/// Number of cycles after which a body that does not move is a fault, so that the tree does not activate the head.
+/// Number of cycles after which a motionless body counts as a fault. From then on the tree does not activate the head.
 const GUARDED: usize = 110;
 
-/// Returns the first cycle in which the head is not held active any more.
+/// Returns the first cycle in which the head is no longer held active.
 fn released(cycles: &[Cycle]) -> Result<u64, Box<dyn std::error::Error>> {
     let is_latent = |cycle: &usize| cycles[*cycle].active >> head().index() & 1 == 0;
     let released = (GUARDED..cycles.len()).find(is_latent);
@@ -84,7 +84,7 @@ pub(super) fn requests(image: &Path) -> Outcome {
     compare_with_host(&cycles, &changes)
 }
 
-/// Waits until the table of adjusted colours classifies.
+/// Waits until the table of the adjusted colours is in use.
 fn tuned_colours(client: &mut Client) -> Result<bool, Box<dyn std::error::Error>> {
     let (component, info) = client.description().info("Colours.is_tuned")?;
     client.watch_info(component, info, 10)?;
@@ -119,7 +119,7 @@ pub(super) fn refusals(image: &Path) -> Outcome {
     expect_refused(&client.request(bica::runner::Request::Params(&batch)), RefusalCode::Tree, "no such component")?;
     let hold = Change::Hold { component: ComponentId::new(999), hold: Hold::Active };
     expect_refused(&client.request(hold.borrow()), RefusalCode::Tree, "no such component")?;
-    // A storm: each request is answered.
+    // Sends many requests at once: each must be answered.
     let modulate = Change::Modulate { component: head(), modulation: 0, arguments: [].into_iter().collect() };
     let numbers: Vec<_> = (0..100).map(|_| client.send_request(modulate.borrow())).collect::<Result<_, _>>()?;
     for number in numbers {
@@ -135,7 +135,7 @@ fn expect_refused(answer: &Result<Answered, Error>, expected: RefusalCode, part:
     }
 }
 
-/// Requests the lease on the body's line and returns whether it is granted, and its number.
+/// Sends a lease action on the body's line. Waits for a lease with this value of `yours`, and returns its number.
 fn lease(body: &Body, action: LeaseAction, yours: bool) -> Result<u64, Box<dyn std::error::Error>> {
     body.send(FromMonitor::Lease(action))?;
     body.receive(|message| match message {
@@ -179,7 +179,7 @@ pub(super) fn two(image: &Path) -> Outcome {
     let count = body.count();
     body.wait_for(count + 5)?;
     let cycles = body.stop()?;
-    // The hold was not ended by the change of the owner, but by its request.
+    // The hold must end by the request, not by the change of the lease's owner.
     let ended = released(&cycles)?;
     expect((before..before + 5).contains(&ended), &format!("the hold ended in {ended}, requested after {before}"))?;
     let release = Change::Hold { component: head(), hold: Hold::Tree };

@@ -1,4 +1,4 @@
-//! Monitors that only watch.
+//! Tests of monitors that only watch.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -116,7 +116,7 @@ pub(super) fn garbage(image: &Path) -> Outcome {
     stream.set_write_timeout(Some(PATIENCE))?;
     for _ in 0..NOISE / 100 {
         let mut noise: Vec<u8> = (0..100).map(|_| random.next() as u8).collect();
-        // Undamaged packets are sent too, without a message of this schema or with one of the body.
+        // Undamaged packets are sent too: without a message of this schema, or with a message of the body.
         noise.extend([0, 3, 1, 1, 0]);
         stream.write_all(&noise)?;
     }

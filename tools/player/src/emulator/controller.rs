@@ -54,7 +54,7 @@ impl Controller {
         Self::start_on(Emulator::start(image, transport, log)?, attacks)
     }
 
-    /// Starts a game on an image that was just started, in which the robot attacks the goal of a colour.
+    /// Starts a game, in which the robot attacks the goal of a colour, on an image that was just started.
     ///
     /// # Errors
     /// Any [`Error`].
@@ -82,7 +82,7 @@ impl Controller {
         &mut self.emulator
     }
 
-    /// Size of the largest camera image that the robot takes, bytes.
+    /// Size of the largest camera image that the robot accepts, bytes.
     #[must_use]
     pub const fn image_bytes(&self) -> usize {
         self.image_bytes
@@ -114,13 +114,13 @@ impl Controller {
         })
     }
 
-    /// Whether the image has a server for monitors, so that [`request`](Self::request) is possible.
+    /// Returns whether the image has a server for monitors, so that [`request`](Self::request) is possible.
     ///
     /// # Errors
     /// [`Error::Disconnected`].
     pub fn has_monitors(&mut self) -> Result<bool, Error> {
         self.send(&FromMonitor::Attach)?;
-        // The answer to this message shows that the previous one has no answer.
+        // The answer to this message shows that the previous message was not answered.
         self.emulator.link().send(&ToRobot::StackUsage)?;
         let mut attached = false;
         self.emulator.link().receive(|message| {
@@ -140,7 +140,7 @@ impl Controller {
             None => self.acquire()?,
         };
         if change.is_stop(&Forward::GRAPH) {
-            // It ends the lease in the image.
+            // A stop ends the lease in the image.
             self.lease = None;
         }
         self.last_request = self.last_request.wrapping_add(1);
@@ -156,7 +156,7 @@ impl Controller {
         refusal.map_or(Ok(()), |text| Err(Error::UnexpectedMessage(format!("the robot refused a request: {text}"))))
     }
 
-    /// Keeps the lease, if there is one. Called at least once in 3 s of the robot's time.
+    /// Keeps the lease, if there is one. It must be called at least once in 3 s of the robot's time.
     ///
     /// # Errors
     /// [`Error::Disconnected`].
@@ -208,7 +208,7 @@ impl CycleReport {
     }
 }
 
-/// Returns the memory representation of every number of a command: equal only for commands that are equal bit for bit.
+/// Returns the bit patterns of all numbers of a command: equal only for commands that are equal bit for bit.
 pub fn command_bits(command: &robot::Command) -> impl Iterator<Item = u32> {
     let Lights { chest, left_eye, right_eye } = command.lights;
     let lights = [chest, left_eye, right_eye].map(|Light(red, green, blue)| [red, green, blue]);
@@ -216,7 +216,7 @@ pub fn command_bits(command: &robot::Command) -> impl Iterator<Item = u32> {
     joints.chain(lights.into_iter().flatten()).map(f32::to_bits).chain([command.camera as u32])
 }
 
-/// Returns a message to the operator.
+/// Decodes a message to the operator; `None` for other messages.
 fn answer<'a>(message: &FromRobot<'a>) -> Option<ToMonitor<'a>> {
     let FromRobot::Monitor(bytes) = message else { return None };
     postcard::from_bytes(bytes).ok()

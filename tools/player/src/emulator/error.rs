@@ -12,9 +12,9 @@ pub enum Error {
     QemuUnavailable(io::Error),
     /// The emulator ended, or its link closed.
     Disconnected(io::Error),
-    /// The image was built with another schema, whose hash is this.
+    /// The image was built with another schema; the value is its hash.
     SchemaMismatch(u64),
-    /// The image was built with other sensor values or commands, the hash of whose schemas is this.
+    /// The image was built with other types of sensor values or commands; the value is the hash of their schemas.
     MessagesMismatch(u64),
     /// The robot sent an unexpected message, or none.
     UnexpectedMessage(String),

@@ -130,7 +130,7 @@ impl<R: Read> Rx<R> {
         self.receive_packet(|packet| packet.message().ok().and_then(&mut select))
     }
 
-    /// Waits for the robot's identity and returns its schema, which may be another one than this program's.
+    /// Waits for the robot's identity and returns its schema, which may differ from that of this program.
     ///
     /// # Errors
     /// [`Error::Disconnected`].

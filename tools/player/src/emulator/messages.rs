@@ -24,7 +24,7 @@ impl SensorsMessage {
     #[must_use]
     pub fn new(time_us: u64, sensors: &Sensors<'_>, id: u32) -> Self {
         let mut image = Vec::new();
-        // Sensor values have no type that postcard refuses.
+        // Sensor values contain no type that postcard rejects.
         let values = blobs::encode(sensors, Vec::new(), |_, bytes| image.extend_from_slice(bytes)).unwrap_or_default();
         Self { time_us, id, values, image }
     }
@@ -35,7 +35,7 @@ impl SensorsMessage {
         Self { id, ..self }
     }
 
-    /// Returns the parts of the image, which are sent first.
+    /// Returns the chunks of the image, which are sent before the message.
     pub fn chunks(&self) -> impl Iterator<Item = ToRobot<'_>> {
         chunks(self.id, &self.image).map(ToRobot::ImageChunk)
     }
@@ -51,7 +51,7 @@ impl SensorsMessage {
 /// Decodes a command.
 ///
 /// # Errors
-/// [`Error::UnexpectedMessage`] if it cannot be read, or contains a value that is not finite or out of range.
+/// [`Error::UnexpectedMessage`] if the command cannot be decoded, or contains a value that is not finite or out of range.
 pub fn decode_command(message: &message::Command<'_>) -> Result<Command, Error> {
     let command: Option<Command> = blobs::decode(message.values, &[]);
     let command = command.ok_or_else(|| Error::UnexpectedMessage("a command that cannot be read".to_owned()))?;

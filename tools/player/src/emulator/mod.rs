@@ -1,4 +1,4 @@
-//! The firmware image in QEMU, as a robot controller with which a program exchanges messages.
+//! Firmware image in QEMU as a robot controller that exchanges messages with a program.
 //!
 //! [`Emulator`] starts QEMU and connects a [`Link`] to the image. [`Controller`] runs the microcontroller in lockstep
 //! with a world: one sense-think-act cycle for each set of sensor values. One instruction takes one nanosecond of the

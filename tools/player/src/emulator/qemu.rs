@@ -17,8 +17,8 @@ const SELECT_PACED_PIPE: &str = "loader,addr=0x203ffffc,data=0x454e494c,data-len
 pub enum Transport {
     /// A pipe: fast. The microcontroller's time stands still while it waits for bytes.
     Pipe,
-    /// A pipe limited to 1.2 MB per second of the microcontroller's time, which is 30 images. The microcontroller's time
-    /// advances as long as the program sends; it stands still when the pipe is empty.
+    /// A pipe limited to 1.2 MB per second of the microcontroller's time, which corresponds to 30 images per second.
+    /// The microcontroller's time advances as long as the program sends; it stands still when the pipe is empty.
     PacedPipe,
     /// The board's serial port: one byte at a time, slow in QEMU. Time advances while the microcontroller waits.
     Serial,

@@ -21,7 +21,7 @@ pub(crate) struct Album {
 }
 
 impl Album {
-    /// An empty album; makes the folder.
+    /// Creates an empty album and its folder.
     pub(crate) fn new(folder: &Path) -> Result<Self, Failure> {
         make_folder(folder)?;
         Ok(Self { folder: folder.to_owned(), sheet: Sheet::new(), count: 0 })

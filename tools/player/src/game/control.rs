@@ -13,12 +13,12 @@ pub enum NextStep {
     End,
 }
 
-/// Decides between two cycles whether a game goes on.
+/// Control of a game between two cycles: whether it continues.
 ///
 /// `()` plays until the rules end the game or the user interrupts the program.
 pub trait GameControl {
-    /// Decides what comes next. It may wait: the clock of a game in real time stands still meanwhile. `is_over` is whether the rules
-    /// end the game here.
+    /// Decides the next step. It may block: the clock of a game in real time stands still meanwhile. `is_over` is
+    /// whether the rules end the game here.
     fn next(&mut self, is_over: bool) -> NextStep;
 
     /// Returns a line for the recording's log, after each cycle.
@@ -31,7 +31,7 @@ pub trait GameControl {
         true
     }
 
-    /// Called once if the recording ended before the game.
+    /// Called once if the recording ends before the game.
     fn recording_ended(&mut self, _reason: &str) {}
 }
 

@@ -36,7 +36,7 @@ impl From<&TimedEvent> for EventRecord {
     }
 }
 
-/// Returns what ends a game, for people.
+/// Returns the text of an event that ends a game; `None` for other events.
 pub(crate) fn result(event: &TimedEvent) -> Option<String> {
     let name = match event.event {
         Event::Goal => "Goal",
@@ -46,7 +46,7 @@ pub(crate) fn result(event: &TimedEvent) -> Option<String> {
     Some(format!("{name} at {:.2} s", event.at.as_secs_f64()))
 }
 
-/// Returns an event as it is recorded.
+/// Converts an event for a recording.
 pub(crate) fn recorded(event: &TimedEvent) -> RunEvent {
     let EventRecord { event: kind, detail, .. } = EventRecord::from(event);
     RunEvent { at_ns: event.at.as_nanos() as u64, kind: kind.to_owned(), detail }

@@ -8,7 +8,7 @@ use glam::Vec2;
 pub(crate) struct Fingerprint(u64);
 
 impl Fingerprint {
-    /// The fingerprint of a game without cycles.
+    /// Creates the fingerprint of a game without cycles.
     pub(crate) const fn new() -> Self {
         Self(0xcbf2_9ce4_8422_2325)
     }

@@ -1,8 +1,8 @@
 //! Games controlled by firmware on an emulated microcontroller.
 //!
-//! The world takes the commands of this program's forward, which runs on the same sensor values as the firmware. Both must
-//! produce the same commands, bit for bit, and the same tree in every cycle; a deviation ends the game. So the story of the
-//! game is that of the firmware. What an operator requests is requested from both.
+//! The world executes the commands of this program's forward, which runs on the same sensor values as the firmware. In
+//! every cycle both must produce the same commands, bit for bit, and the same tree; a deviation ends the game. So the
+//! story of the game is that of the firmware. Requests of an operator are sent to both.
 
 use std::path::{Path, PathBuf};
 
@@ -23,23 +23,23 @@ use crate::game::scene::GRAPH;
 #[derive(Clone, Copy, Debug)]
 pub struct FirmwareImage {
     path: &'static Path,
-    /// Size of the camera images that it gets.
+    /// Size of the camera images that the firmware receives.
     size: Frame,
 }
 
 impl FirmwareImage {
-    /// Where `cargo xtask firmware --build` puts the image for camera images of 160×120, from the folder of the repository.
+    /// Path at which `cargo xtask firmware --build` puts the image for camera images of 160×120, relative to the repository.
     pub const DEFAULT: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500";
 
-    /// Where it puts the image with the server for monitors, which a game that is served needs for an operator. It takes camera
+    /// Path of the image with the server for monitors, which a served game needs for an operator. It accepts camera
     /// images of 160×120.
     pub const MONITOR: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500-monitor";
 
-    /// Where it puts the image for camera images of 320×240.
+    /// Path of the image for camera images of 320×240.
     pub const MEDIUM: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500-medium";
 
-    /// Where it puts the image for a game with camera images of a size. A game that is `served` gets an image with the server for
-    /// monitors where there is one; any other can only be watched.
+    /// Returns the path of the image for a game with camera images of a size. A `served` game gets an image with the
+    /// server for monitors if there is one; a game without it can only be watched.
     #[must_use]
     pub const fn built(size: Frame, served: bool) -> &'static str {
         match (size, served) {
@@ -49,7 +49,7 @@ impl FirmwareImage {
         }
     }
 
-    /// The image of a file, for camera images of a size.
+    /// Creates the image of a file, for camera images of a size.
     ///
     /// # Errors
     /// If no firmware image can process camera images of this size.
@@ -58,7 +58,7 @@ impl FirmwareImage {
             let what = "no firmware image takes camera images of 640x480";
             return Err(Failure::new(what, "give --size 160x120 or --size 320x240"));
         }
-        // One path for the life of the program, shared by all threads.
+        // The path is leaked once: it lives as long as the program and is shared by all threads.
         Ok(Self { path: Box::leak(path.into_boxed_path()), size })
     }
 
@@ -87,7 +87,7 @@ fn failure(error: &Error) -> Failure {
 #[derive(Debug)]
 pub(crate) struct FirmwareCheck {
     controller: Option<Controller>,
-    /// Changes that this program's forward accepted before the next cycle; `None` for one that no message can express.
+    /// Changes that this program's forward accepted before the next cycle; `None` for a change that no message can express.
     changes: Vec<Option<Change>>,
     report: Option<Result<CycleReport, Error>>,
     failure: Option<Failure>,
@@ -103,7 +103,7 @@ impl FirmwareCheck {
         Self { controller, changes: Vec::new(), report: None, failure: None, cycles: Vec::new(), runs }
     }
 
-    /// Whether the firmware takes part and accepts no requests.
+    /// Returns whether the firmware takes part and accepts no requests.
     pub(crate) fn is_watch_only(&mut self) -> Result<bool, Failure> {
         let Some(controller) = &mut self.controller else { return Ok(false) };
         controller.has_monitors().map(|has_monitors| !has_monitors).map_err(|error| failure(&error))
@@ -145,7 +145,7 @@ impl Probe for FirmwareCheck {}
 
 impl Observer<Forward> for FirmwareCheck {
     fn requested(&mut self, _now: Instant, request: &Request<'_>) {
-        // The world is this program's.
+        // Requests to the world concern only this program.
         if self.controller.is_some() && !matches!(request, Request::World { .. }) {
             self.changes.push(request.store());
         }
@@ -166,7 +166,7 @@ impl Observer<Forward> for FirmwareCheck {
     }
 }
 
-/// Requests changes of the firmware, then runs a cycle.
+/// Sends the changes to the firmware, then runs a cycle.
 fn cycle(
     controller: &mut Controller,
     changes: impl Iterator<Item = Option<Change>>,
@@ -181,7 +181,7 @@ fn cycle(
     controller.cycle(time_us, sensors)
 }
 
-/// Instructions of a game, by the clock of the emulated microcontroller (one tick for 40 instructions).
+/// Instruction counts of a game, by the clock of the emulated microcontroller (one tick per 40 instructions).
 #[derive(Clone, Debug, Serialize)]
 pub struct FirmwareSummary {
     /// Each cycle, from sensing to acting.

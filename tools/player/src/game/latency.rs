@@ -12,14 +12,14 @@ use serde::Serialize;
 /// Bound of the paper for one cycle, ms.
 const BOUND_MS: f64 = 200.0;
 
-/// Largest number of cycles of one game that are remembered, almost three hours: a served world has no end.
+/// Largest number of cycles of one game whose latency is stored, almost three hours: a served world has no end.
 const MAX_CYCLES: usize = 1_000_000;
 
-/// Latency of every cycle, ns; of a game with more than [`MAX_CYCLES`] that of the newest ones.
+/// Latency of every cycle, ns; in a game with more than [`MAX_CYCLES`] cycles only of the newest ones.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Latencies {
     times: Vec<u32>,
-    /// Place of the newest one.
+    /// Index of the newest latency.
     newest: usize,
 }
 
@@ -50,7 +50,7 @@ impl Latencies {
         }
     }
 
-    /// Adds those of another game.
+    /// Adds the latencies of another game.
     pub(crate) fn extend(&mut self, other: &Self) {
         self.times.extend_from_slice(&other.times);
     }

@@ -12,14 +12,14 @@ use crate::game::event::{self, EventRecord};
 use crate::game::firmware::FirmwareCheck;
 use crate::game::rules::Rules;
 
-/// Where and how a game is served to monitors.
+/// Address at which a game is served to monitors, and callback.
 #[derive(Clone, Copy)]
 pub struct ServeOptions<'a> {
     /// The address.
     pub address: &'a Address,
     /// Whether the address may be reached from other computers.
     pub anywhere: bool,
-    /// Called with the address once the server listens, with the port that the operating system chose for port 0.
+    /// Called once the server listens, with the address; its port is the one that the operating system chose if 0 was given.
     pub started: &'a dyn Fn(&str) -> Result<(), Failure>,
 }
 
@@ -46,8 +46,8 @@ impl GameLink {
             return Ok((Self(None), None, None));
         };
         let defaults = ServerOptions::default();
-        // A firmware image without the server for monitors has no operator: requests would make this program's commands differ
-        // from the image's.
+        // A firmware image without the server for monitors has no operator: requests would make the commands of this
+        // program differ from those of the image.
         let watch_only = firmware.is_watch_only()?;
         let offers = if can_pause { Offers::PAUSE } else { Offers::default() };
         let options = ServerOptions { anywhere, realtime: rules.realtime, watch_only, offers, actions, ..defaults };

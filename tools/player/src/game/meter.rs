@@ -9,7 +9,7 @@ use bica_player::tunable::Forward;
 /// Activity of a component in a game.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Activity {
-    /// Cycles in which it was active.
+    /// Number of cycles in which it was active.
     pub(crate) active: u64,
     /// Number of activations.
     pub(crate) starts: u64,
@@ -30,7 +30,7 @@ pub(crate) struct Meter {
 }
 
 impl Meter {
-    /// A meter without cycles.
+    /// Creates a meter without cycles.
     pub(crate) fn new(graph: &'static Graph) -> Self {
         let mut costs = CostMeter::new(graph);
         costs.switch(true);

@@ -1,4 +1,4 @@
-//! Pictures and films in a program that was built without them.
+//! Replacement of pictures and films in a program that was built without them.
 
 use std::path::Path;
 
@@ -7,12 +7,12 @@ use bica_app::Failure;
 use crate::game::observer::GameObserver;
 use crate::play::built_without;
 
-/// An album or a film, of which there is none.
+/// Album or film of such a program; uninhabited.
 #[derive(Debug)]
 pub(crate) enum NoPictures {}
 
 impl NoPictures {
-    /// Refuses.
+    /// Returns an error: pictures and films are missing from this program.
     pub(crate) fn new(_: &Path) -> Result<Self, Failure> {
         Err(built_without("evaluation", "pictures and films"))
     }

@@ -9,7 +9,7 @@ use bica_sim::{Picture, Referee, SpectatorCamera};
 use crate::game::scene::Scene;
 use crate::game::summary::FaultRecord;
 
-/// View of the world from outside, for a picture.
+/// Outside view of the world, for a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     /// The camera.
@@ -20,11 +20,11 @@ pub struct View {
     pub height: usize,
 }
 
-/// Observer of a game: of the tree, the referee and the world from outside. An error ends the game.
+/// Observer of a game: of the tree, the referee and the outside view of the world. An error ends the game.
 ///
-/// `()` observes nothing, and a list of observers is one.
+/// `()` observes nothing; a slice of observers is an observer.
 pub trait GameObserver {
-    /// The tree changed in this cycle.
+    /// Called in each cycle that changes the tree.
     ///
     /// # Errors
     /// If the game has to end.
@@ -32,12 +32,12 @@ pub trait GameObserver {
         Ok(())
     }
 
-    /// Returns the view that it needs a picture of in this cycle.
+    /// Returns the view of which it needs a picture in this cycle; `None` for no picture.
     fn view(&mut self, _now: Duration, _referee: &Referee) -> Option<View> {
         None
     }
 
-    /// The requested picture was rendered.
+    /// Called when the requested picture has been rendered.
     ///
     /// # Errors
     /// If the game has to end.
@@ -45,7 +45,7 @@ pub trait GameObserver {
         Ok(())
     }
 
-    /// A fault of the robot or the world began, or ended.
+    /// Called when a fault of the robot or the world begins or ends.
     ///
     /// # Errors
     /// If the game has to end.
@@ -53,7 +53,7 @@ pub trait GameObserver {
         Ok(())
     }
 
-    /// The referee reported an event.
+    /// Called for each event of the referee.
     ///
     /// # Errors
     /// If the game has to end.
@@ -64,7 +64,7 @@ pub trait GameObserver {
 
 impl GameObserver for () {}
 
-/// Several observers, of which at most one needs pictures.
+/// Several observers; at most one of them may need pictures.
 impl GameObserver for [&mut dyn GameObserver] {
     fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         self.iter_mut().try_for_each(|observer| observer.tree_changed(scene))

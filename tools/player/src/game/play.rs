@@ -30,7 +30,7 @@ use crate::game::world_factory;
 /// Least distance between two points of the ball's path, m.
 const PATH_STEP: f32 = 0.03;
 
-/// Time between two looks for requests while the game is paused.
+/// Time between two polls for requests while the game is paused.
 const BETWEEN_REQUESTS: Duration = Duration::from_millis(5);
 
 /// Plays until a goal, the end of the time, or Ctrl-C; on request records the game and serves it to monitors. A recording that
@@ -93,8 +93,8 @@ pub fn play_controlled(
     Ok(game.summarize(rules, began.elapsed()))
 }
 
-/// Observers of the loop. The stopwatch measures neither the firmware, which comes first, nor the end of a cycle in the recorder
-/// and the link, which come last.
+/// Observers of the loop. The stopwatch measures neither the firmware, which comes first, nor the recorder and the link
+/// at the end of a cycle, which come last.
 type LoopObservers = (FirmwareCheck, ((Meter, Stopwatch), (GameRecorder, LinkView)));
 
 struct Game {
@@ -103,7 +103,7 @@ struct Game {
     cycles: u64,
     tree_changes: u64,
     fingerprint: Fingerprint,
-    /// Time of the last cycle.
+    /// Duration of the last cycle.
     cycle_time: Duration,
     start: Pose2,
     ball_path: Vec<Vec2>,
@@ -174,7 +174,7 @@ impl Game {
         world.referee().goals() > 0 || self.now() >= rules.limit || world.failure().is_some()
     }
 
-    /// Whether a cycle comes next: no operator has paused the game, nor does its control.
+    /// Returns whether a cycle comes next: neither an operator nor the control has paused the game.
     fn runs_a_cycle(&mut self, next: NextStep) -> bool {
         let Some(requests) = self.runner.requests_mut() else { return true };
         if next == NextStep::Pause {
@@ -201,7 +201,7 @@ impl Game {
         Ok(())
     }
 
-    /// Sends the true state to monitors that watch it.
+    /// Sends the true state to monitors that watch the world.
     fn send_truth(&self) {
         if let Some(view) = self.view() {
             view.show_truth(&**self.runner.world());
@@ -241,7 +241,7 @@ impl Game {
         self.report_fault(observer)
     }
 
-    /// The fault of the world or the robot, if there is one.
+    /// Fault of the world or the robot; `None` without one.
     fn fault(&self) -> Option<String> {
         let health = self.runner.robot().get::<HealthMonitor>();
         let of_robot = || health.fault().or_else(|| health.sense_fault()).map(|fault| fault.to_string());

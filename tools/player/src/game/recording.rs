@@ -25,16 +25,16 @@ const NOTE_LEVEL: u8 = 2;
 /// Level of a fault: error.
 const FAULT_LEVEL: u8 = 4;
 
-/// Where and how a game is recorded.
+/// File and content of a game's recording.
 #[derive(Clone, Copy, Debug)]
 pub struct RecordOptions<'a> {
     /// The file.
     pub path: &'a Path,
-    /// What is stored of each cycle.
+    /// Data stored for each cycle.
     pub images: ImagePolicy,
     /// Topics for other programs.
     pub topics: Topics,
-    /// When the recording goes on in another file.
+    /// Limit at which the recording continues in another file.
     pub split: Option<Split>,
     /// Whether an existing file is replaced.
     pub force: bool,
@@ -45,7 +45,7 @@ pub struct RecordOptions<'a> {
 pub struct RecordingSummary {
     /// The file.
     pub file: String,
-    /// Number of parts, if it is split: `file` is the first.
+    /// Number of parts of a split recording; `file` is the first part.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub parts: Option<u32>,
     /// Number of recorded cycles.
@@ -57,7 +57,7 @@ pub struct RecordingSummary {
     pub reason: Option<String>,
     /// Length of the file, bytes; it depends on the speed of the computer.
     pub wall_bytes: u64,
-    /// A line for people.
+    /// Text about the recording, one line.
     #[serde(skip)]
     pub(crate) text: String,
 }
@@ -104,7 +104,7 @@ impl GameRecorder {
         }
     }
 
-    /// Records a note of a person.
+    /// Records a note that a person has entered.
     pub(crate) fn note(&self, text: &str) {
         if let Some(recorder) = &self.recorder {
             recorder.log(LogLine { level: NOTE_LEVEL, source: LogSource::Note, text: text.to_owned() });
@@ -118,12 +118,12 @@ impl GameRecorder {
         }
     }
 
-    /// Returns the reason once if the recording has ended before the game.
+    /// Returns the reason if the recording ended before the game; only once.
     pub(crate) fn newly_ended(&self) -> Option<String> {
         self.file.as_ref().and_then(RecordedFile::newly_ended)
     }
 
-    /// Records what was measured in the last cycle.
+    /// Records the measurements of the last cycle.
     pub(crate) fn measured(&mut self, meter: &Meter) {
         if let Some(recorder) = &mut self.recorder {
             recorder.measured(&meter.costs);
@@ -137,7 +137,7 @@ impl GameRecorder {
     }
 }
 
-/// Returns the header of a game's recording, without parameters and information.
+/// Returns the header of a game's recording, without parameters and outputs.
 #[must_use]
 pub fn recording_header(rules: &Rules, attacks: GoalColour, images: ImagePolicy) -> Header {
     let world = if rules.firmware.is_some() { "firmware" } else { rules.world.name() };

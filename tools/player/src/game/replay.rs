@@ -1,4 +1,4 @@
-//! Replay of a game: the forward, and the world made again from the rules.
+//! Replay of a game: the forward, and the world created again from the rules.
 
 use std::path::Path;
 use std::time::Duration;
@@ -38,8 +38,8 @@ pub fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failure> {
     Ok(bica_recording::replay(options, subject, progress)?)
 }
 
-/// Runs the code again on a recording, with other parameters, and writes the new course to a recording with images.
-/// `progress` is called now and then with the time of the last cycle, s; if it returns false, the run ends there.
+/// Runs the code again on a recording, with other parameters, and records the new run with images. `progress` is called
+/// periodically with the time of the last cycle, s; the run ends if it returns false.
 ///
 /// # Errors
 /// If a file cannot be read or written, or the recording cannot be replayed by this program.
@@ -54,7 +54,7 @@ pub fn rerun(
     bica_recording::rerun(path, out, subject, progress)
 }
 
-/// Returns the forward as it was at the start of a recorded game, with other parameters, and its world if it runs again.
+/// Returns the forward as it was at the start of a recorded game, with other parameters, and its world if that runs again.
 fn subject(header: &Header, set: &[String], runs_world: bool) -> Result<Subject<Forward>, Invalid> {
     let unknown = |what: &str| {
         Invalid::new(format!("the recording has an unknown {what}"), "replay it with the program that recorded it")
@@ -81,7 +81,7 @@ fn subject(header: &Header, set: &[String], runs_world: bool) -> Result<Subject<
     Ok(Subject { robot, world: runs_world.then_some(()).map(world).transpose()? })
 }
 
-/// Returns the parameters of a recording, and over them the assignments of the command line.
+/// Returns the parameters of a recording, overridden by the assignments of the command line.
 fn layers(header: &Header, set: &[String]) -> Result<Layers, Invalid> {
     let mut layers = Layers::new(&GRAPH);
     header.assignments().try_for_each(|assignment| layers.assign(&assignment, "the recording"))?;
@@ -104,7 +104,7 @@ fn rules_of(set_up: &SetUp) -> Result<Rules, Invalid> {
     let [width, height]: [usize; 2] = value(set_up, "size")?;
     let unknown =
         || Invalid::new(format!("the recording has images of {width}x{height}"), "known are 160x120, 320x240, 640x480");
-    // A recording of before options has none.
+    // Recordings from before the introduction of options have none.
     let options: Vec<String> = if set_up.contains_key("options") { value(set_up, "options")? } else { Vec::new() };
     Ok(Rules {
         world,
@@ -127,10 +127,10 @@ fn value<T: DeserializeOwned>(set_up: &SetUp, name: &str) -> Result<T, Invalid> 
     })
 }
 
-/// World of a game that runs again.
+/// World of a game that is simulated again.
 struct Field {
     world: Box<dyn SpectatorView>,
-    /// Number of events that were taken.
+    /// Number of events that have been taken.
     events: usize,
 }
 

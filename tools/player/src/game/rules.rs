@@ -40,7 +40,7 @@ impl WorldKind {
         }
     }
 
-    /// Returns the name of that profile.
+    /// Returns the name of the motion profile.
     #[must_use]
     pub const fn profile_name(self) -> &'static str {
         match self {
@@ -64,11 +64,11 @@ pub struct Rules {
     pub robots: usize,
     /// Longest duration of a game, in simulated time.
     pub limit: Duration,
-    /// Whether simulated time follows the clock.
+    /// Whether simulated time follows real time.
     pub realtime: bool,
     /// Firmware that controls the robot in place of this program.
     pub firmware: Option<FirmwareImage>,
-    /// Parameters that are not the defaults, from [`settings`](crate::game::settings).
+    /// Parameters that differ from the defaults, from [`settings`](crate::game::settings).
     pub settings: &'static [Setting],
     /// Options of the world, as `NAME=VALUE`.
     pub options: &'static [String],

@@ -17,7 +17,7 @@ use crate::game::meter::Meter;
 /// Static description of the forward's tree.
 pub static GRAPH: Graph = Forward::GRAPH;
 
-/// The same tree as tools describe it.
+/// The same tree in the form for tools.
 pub(crate) static TREE: LazyLock<Description> = LazyLock::new(|| Description::of(&GRAPH));
 
 /// State of a game after a cycle.
@@ -57,7 +57,7 @@ impl Scene<'_> {
         (ball.position().map(|at| Polar::new(at, sees_ball)), goal.position().map(|at| Polar::new(at, sees_goal)))
     }
 
-    /// Returns whether a component ran in this cycle.
+    /// Returns whether a component is active in this cycle.
     pub(crate) fn is_active<C: bica::Component>(&self) -> bool
     where
         Forward: bica::Has<C>,

@@ -18,13 +18,13 @@ use crate::game::summary::{GameResult, GameSummary};
 pub(crate) struct SeriesOptions {
     /// Number of games.
     pub(crate) games: u32,
-    /// Number of threads; by default one for each core.
+    /// Number of threads; `None` uses one for each core.
     pub(crate) threads: Option<u32>,
-    /// Number of games with a goal that makes the series a success; by default all.
+    /// Number of games with a goal from which the series counts as a success; `None` requires all.
     pub(crate) at_least: Option<u32>,
 }
 
-/// Plays a series and prints its summary. Each game has a folder of pictures on request.
+/// Plays a series and prints its summary. With `pictures`, each game has a folder of pictures there.
 pub(crate) fn play_series(
     rules: &Rules,
     console: Console,
@@ -48,7 +48,7 @@ pub(crate) fn play_series(
     })
 }
 
-/// Returns the games that were played to their end, in the order of their seeds.
+/// Plays all games; returns those that were played to their end, in the order of their seeds.
 fn play_all(rules: &Rules, pictures: Option<&Path>, batch: &Batch) -> Result<Vec<GameSummary>, Failure> {
     let progress = Progress::new(batch.runs.into());
     let (played, goals) = (AtomicU64::new(0), AtomicU64::new(0));

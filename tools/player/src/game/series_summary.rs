@@ -9,7 +9,7 @@ use crate::game::latency::{Latencies, LatencySummary};
 use crate::game::summary::{GameResult, GameSummary};
 use crate::game::summary_text::latency;
 
-/// Summary of a series. All but what is named `wall` is reproducible.
+/// Summary of a series. It is reproducible except for fields whose names contain `wall`.
 #[derive(Debug, Serialize)]
 pub(crate) struct SeriesSummary {
     schema: &'static str,
@@ -30,7 +30,7 @@ struct Totals {
     falls: usize,
     games_with_falls: usize,
     seeds_with_falls: Vec<u64>,
-    /// Of the games with a goal, s.
+    /// Times to the goal in the games with a goal, s.
     time_to_goal_s: Option<Times>,
     seeds_without_goal: Vec<u64>,
 }
@@ -51,7 +51,7 @@ struct Wall {
 }
 
 impl SeriesSummary {
-    /// The summary of the games of a batch that took `real_s` seconds.
+    /// Creates the summary of a batch of games that took `real_s` seconds of real time.
     pub(crate) fn new(batch: &Batch, games: Vec<GameSummary>, layers: Vec<InForce>, real_s: f64) -> Self {
         let mut all = Latencies::default();
         for game in &games {

@@ -16,7 +16,7 @@ use crate::game::summary::{GameResult, GameSummary};
 use crate::game::summary_text;
 use crate::game::{Album, Film};
 
-/// JSON of a game.
+/// Report of a game, for JSON.
 #[derive(Serialize)]
 struct GameReport<'a> {
     schema: &'static str,
@@ -29,7 +29,7 @@ struct GameReport<'a> {
     wall_processor: String,
 }
 
-/// Plays a game, prints story and summary; on request writes pictures, a film and a recording, and serves monitors.
+/// Plays a game; prints its story and its summary. On request writes pictures, a film and a recording, and serves monitors.
 pub(crate) fn play_one(
     rules: &Rules,
     console: Console,

@@ -1,4 +1,4 @@
-//! Story of a game: a line for each change of the tree and each event.
+//! Story of a game: one line for each change of the tree and each event.
 
 use bica_app::{Console, Failure, Style};
 use bica_drawing::TreeState;
@@ -18,7 +18,7 @@ pub(crate) struct TreeChange {
     t: f64,
     /// State of the root.
     state: &'static str,
-    /// Active components in the order of the tree, state machines with their states.
+    /// Active components in the order of the tree; state machines with their states.
     active: Vec<String>,
     ball: Option<Polar>,
     goal: Option<Polar>,
@@ -37,7 +37,7 @@ impl Story {
         Self { console, changes: Vec::new(), has_header: false }
     }
 
-    /// Prints a line; before the first one the header of the columns, so that a game that is refused prints nothing.
+    /// Prints a line, and the header of the columns before the first one. So a game that is refused prints nothing.
     fn print(&mut self, line: &str) -> Result<(), Failure> {
         if !std::mem::replace(&mut self.has_header, true) {
             let header = columns(self.console, "time", "state", (" ball", " goal"), Style::Faint);
@@ -47,7 +47,7 @@ impl Story {
         self.console.print(line)
     }
 
-    /// Returns the active components that activate others, with marks at those that started, then those that stopped.
+    /// Returns the active components that activate others; those that just started are marked. Then those that stopped.
     fn components(&self, scene: &Scene<'_>, tree: &TreeState<'_>) -> String {
         let is_in = |list: &[bica::ComponentId], node: usize| list.iter().any(|id| id.index() == node);
         let activates = |node: usize| !tree.tree.components[node].links.is_empty();

@@ -22,13 +22,13 @@ use crate::game::scene::GRAPH;
 pub enum GameResult {
     /// The robot scored.
     Goal,
-    /// The time was over.
+    /// The time was over without a goal.
     NoGoal,
     /// Ctrl-C.
     Interrupted,
 }
 
-/// Summary of a game. All but `wall` is reproducible.
+/// Summary of a game. It is reproducible except for `wall`.
 #[derive(Clone, Debug, Serialize)]
 pub struct GameSummary {
     /// Seed.
@@ -45,7 +45,7 @@ pub struct GameSummary {
     pub kicks: usize,
     /// Fault that stopped the robot or the world at the end.
     pub fault: Option<String>,
-    /// Faults as they began and ended.
+    /// Begin and end of each fault.
     pub faults: Vec<FaultRecord>,
     /// Duration in simulated time, s.
     pub simulated_s: f64,
@@ -68,17 +68,17 @@ pub struct GameSummary {
     pub(crate) latencies: Latencies,
 }
 
-/// Begin or end of a fault.
+/// Beginning or end of a fault.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FaultRecord {
     /// Time, s.
     pub t: f64,
-    /// The fault; none if there is none any more.
+    /// The fault; `None` if it has ended.
     pub fault: Option<String>,
 }
 
 impl FaultRecord {
-    /// A line for people.
+    /// Text of the record, one line.
     pub(crate) fn text(&self) -> String {
         self.fault.as_ref().map_or_else(|| "the fault is over".to_owned(), |fault| format!("fault: {fault}"))
     }
@@ -93,18 +93,18 @@ pub struct ComponentActivity {
     pub runs: u64,
     /// Time in which it was active, s.
     pub active_s: f64,
-    /// Number of activations; each brings one run at once.
+    /// Number of activations; each causes one immediate run.
     pub activations: u64,
     /// Declared rate, Hz.
     pub declared_hz: f64,
-    /// Runs per second of its active time; none if it was never active.
+    /// Runs per second of active time; `None` if it was never active.
     pub reached_hz: Option<f64>,
 }
 
 /// Values that depend on the computer.
 #[derive(Clone, Debug, Serialize)]
 pub struct Wall {
-    /// Duration by the clock, s.
+    /// Duration in real time, s.
     pub real_s: f64,
     /// Latency of a cycle, ms.
     pub latency_ms: LatencySummary,
@@ -137,7 +137,7 @@ pub(crate) struct Measurements {
 }
 
 impl GameSummary {
-    /// The summary of a game that took `played` in simulated time and `real` by the clock.
+    /// Creates the summary of a game that took `played` in simulated time and `real` in real time.
     pub(crate) fn new(
         rules: &Rules,
         referee: &Referee,

@@ -5,8 +5,8 @@ use bica_app::Failure;
 use bica_player::tunable::Forward;
 use bica_tuning::Layers;
 
-/// Checks that the forward accepts the values of some layers, and returns them for [`Rules::settings`](crate::game::Rules::settings),
-/// for the rest of the program.
+/// Checks that the forward accepts the values of the layers. Returns them for
+/// [`Rules::settings`](crate::game::Rules::settings); they live as long as the program.
 ///
 /// # Errors
 /// If the values break a rule between parameters.

@@ -20,7 +20,7 @@ Option of the world; may be repeated: robot=X,Y,HEADING (start, m and rad), ball
 image=freeze|dark|bright|noise|drop, gyro=RATE (offset, rad/s), stuck=JOINT, hot=JOINT, from=S and until=S (time of these faults), \
 button=S or button=S,S (presses of the chest button)";
 
-/// Makes a world at the start of a game.
+/// Creates a world at the start of a game.
 pub(crate) fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
     let options = WorldOptions::new(rules.seed, rules.options)?;
     let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
@@ -65,7 +65,7 @@ fn mujoco(setup: &Setup, ball: Vec2) -> Result<Box<dyn SpectatorView>, Failure> 
     })
 }
 
-/// Reads the faults.
+/// Parses the options of the faults.
 fn faults(options: &WorldOptions) -> Result<Faults, Failure> {
     let none = Faults::default();
     let joint = |name| {
@@ -102,11 +102,11 @@ fn faults(options: &WorldOptions) -> Result<Faults, Failure> {
     })
 }
 
-/// Finite numbers with commas between them.
+/// Finite numbers, separated by commas.
 #[derive(Clone, Debug, Default)]
 struct Numbers(Vec<f32>);
 
-/// A text that is not [`Numbers`].
+/// Error: a text is not [`Numbers`].
 struct NoNumbers;
 
 impl fmt::Display for NoNumbers {
@@ -125,7 +125,7 @@ impl FromStr for Numbers {
 }
 
 impl Numbers {
-    /// Returns the numbers if there are none or one of these counts.
+    /// Checks that there are no numbers, or as many as one of `counts`.
     fn exactly<const N: usize>(self, counts: [usize; N], name: &str) -> Result<Vec<f32>, Failure> {
         if self.0.is_empty() || counts.contains(&self.0.len()) {
             return Ok(self.0);

@@ -1,4 +1,4 @@
-//! Where and as whom a robot plays.
+//! Server, team and number of a player.
 
 use std::path::Path;
 
@@ -9,16 +9,16 @@ use super::client::{Address, Error, Server};
 /// Largest number of a player.
 const MAX_NUMBER: u32 = 99;
 
-/// Where and as whom a robot plays.
+/// Server, team and number of a player, and options of its game.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Entry {
-    /// Port of the players of a running server; `None`: each game starts a server of its own.
+    /// Port of the players of a running server; `None` starts a server for each game.
     pub(crate) server: Option<Address>,
     /// Name of the team.
     pub(crate) team: String,
     /// Number of the player.
     pub(crate) number: u32,
-    /// Whether an own server runs in real time.
+    /// Whether a server that this program starts runs in real time.
     pub(crate) realtime: bool,
     /// Whether a second team plays, too.
     pub(crate) against: bool,
@@ -27,10 +27,10 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
-    /// Checks what the server would refuse without a reason.
+    /// Checks values that the server would reject without a reason.
     ///
     /// # Errors
-    /// If the team has no name or one with spaces or parentheses, or the number is too large.
+    /// If the name of the team is empty or has spaces or parentheses, or the number is too large.
     pub(crate) fn check(&self) -> Result<(), Failure> {
         let wrong = |what: String, help| Err(Failure::new(what, help));
         if self.team.is_empty() || self.team.contains([' ', '(', ')']) {
@@ -52,10 +52,10 @@ impl Entry {
         Ok(())
     }
 
-    /// Starts the server of a game, if it has its own.
+    /// Starts the server of a game, unless a running server is used.
     ///
     /// # Errors
-    /// If it cannot be started.
+    /// If the server cannot be started.
     pub(crate) fn start(&self) -> Result<Option<Server>, Error> {
         match self.server {
             Some(_) => Ok(None),
@@ -64,7 +64,7 @@ impl Entry {
     }
 }
 
-/// Parses `HOST:PORT`, the port of the players. Nobody connects to the port of the monitors.
+/// Parses `HOST:PORT`, the port of the players. The port of the monitors is not used.
 ///
 /// # Errors
 /// If the text has another form.
@@ -74,7 +74,7 @@ pub(super) fn server(text: &str) -> Result<Address, String> {
     Ok(Address { host: host.to_owned(), agents, monitors: 0 })
 }
 
-/// Names what to do about an error of a server.
+/// Converts an error of a server, with its remedy.
 pub(crate) fn failure(error: &Error) -> Failure {
     let help = match error {
         Error::Start(..) => "`cargo xtask league` installs it; start this program in the workspace",

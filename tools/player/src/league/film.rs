@@ -1,4 +1,4 @@
-//! Film of a game in the league: the robot and the ball where the robot estimates them, and what its camera sees.
+//! Film of a game in the league: robot and ball at their estimated positions, and the view of the camera.
 
 use std::path::Path;
 use std::sync::{Arc, PoisonError};
@@ -27,13 +27,13 @@ use crate::game::film::camera_operator::{CameraOperator, Site};
 use crate::game::film::gif::Gif;
 use crate::game::film::{CAMERA_HEIGHT, CAMERA_WIDTH, INTERVAL, LAST_REPEAT, OUTSIDE_HEIGHT, OUTSIDE_WIDTH, sheet};
 
-/// Half of the angle of view of the league's camera in both directions, as a tangent (60°).
+/// Tangent of half the angle of view of the league's camera, in both directions (60°).
 const HALF_VIEW: f32 = 1.75;
 const GRASS: Rgb = [40, 104, 50];
 const MARK: Rgb = [245, 245, 245];
 const BALL: Rgb = [236, 120, 30];
 const OTHERS: Rgb = [60, 70, 90];
-/// Position of a ball that was not seen yet: outside the picture, m.
+/// Position of a ball that has not been seen yet, m: outside the picture.
 const NOWHERE: Vec2 = Vec2::splat(200.0);
 
 /// Plays one game and films it.
@@ -60,7 +60,7 @@ pub(crate) fn play(
         if interrupt::requested() || World::<Forward>::is_over(runner.world()) || t >= limit {
             break;
         }
-        // Infallible.
+        // The error type is infallible.
         _ = runner.cycle();
         film.watch(Duration::from_micros(t.as_micros()), runner.robot(), runner.world())?;
     }
@@ -79,9 +79,9 @@ struct Film {
     operator: CameraOperator,
     description: Description,
     next: Duration,
-    /// Where the odometry began on the field.
+    /// Pose on the field at which the odometry began.
     origin: Option<Pose2>,
-    /// Where the ball was last.
+    /// Last position of the ball.
     ball: Vec2,
     last: Option<Canvas>,
 }
@@ -139,7 +139,7 @@ fn cannot_draw(error: impl ToString) -> Failure {
     Failure::new(error.to_string(), "`cargo xtask mujoco` installs what MuJoCo needs to draw")
 }
 
-/// Draws what the camera sees: marks of the field, the ball, and feet of other players.
+/// Draws the view of the camera: marks of the field, the ball, and feet of other players.
 fn seen(view: &View) -> Canvas {
     let mut canvas = Canvas::new(CAMERA_WIDTH, CAMERA_HEIGHT, GRASS);
     let (middle, scale) =

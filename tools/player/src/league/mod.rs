@@ -1,4 +1,4 @@
-//! Games in the league's server, `RCSSServerMJ`, which is neither a simulator of this workspace nor shows images.
+//! Games in the league's server, `RCSSServerMJ`. It is not a simulator of this workspace, and renders no images.
 
 mod client;
 mod entry;

@@ -1,4 +1,4 @@
-//! The player of the other team, in a thread.
+//! Player of the other team, in a thread.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, mpsc};
@@ -13,10 +13,10 @@ use super::world::LeagueWorld;
 
 /// Name of the other team.
 const TEAM: &str = "Opponent";
-/// Stack of the thread, bytes: it builds a tree.
+/// Stack size of the thread, bytes: the thread builds a tree.
 const STACK: usize = 16 << 20;
 
-/// A second forward, which plays until it is dropped. The server waits for each player: the other one must have left it before.
+/// Second forward, which plays until it is dropped. The server waits for each player, so the other player must have left it before.
 pub(crate) struct Opponent {
     thread: Option<JoinHandle<()>>,
     is_over: Arc<AtomicBool>,
@@ -24,7 +24,7 @@ pub(crate) struct Opponent {
 }
 
 impl Opponent {
-    /// Starts the thread, which lets the player join.
+    /// Starts the thread; the player joins in it.
     ///
     /// # Errors
     /// If there is no thread.
@@ -37,11 +37,11 @@ impl Opponent {
                 Ok(world) => world,
                 Err(error) => return drop(tell.send(Err(error))),
             };
-            // Nobody asks any more if the game is over.
+            // The receiver is gone if the game is over.
             _ = tell.send(Ok(()));
             let mut runner = Runner::new((robot.forward)(), world);
             while !ended.load(Ordering::Relaxed) && !World::is_over(runner.world()) {
-                // Infallible.
+                // The error type is infallible.
                 _ = runner.cycle();
             }
         };
@@ -49,10 +49,10 @@ impl Opponent {
         Ok(Self { thread: Some(thread), is_over, joined })
     }
 
-    /// Whether it has joined its team.
+    /// Returns whether the player has joined its team.
     ///
     /// # Errors
-    /// If the server refused it.
+    /// If the server refused the player.
     pub(crate) fn has_joined(&self) -> Result<bool, Error> {
         match self.joined.try_recv() {
             Ok(result) => result.map(|()| true),
@@ -65,7 +65,7 @@ impl Opponent {
 impl Drop for Opponent {
     fn drop(&mut self) {
         self.is_over.store(true, Ordering::Relaxed);
-        // A panic of it has printed its message.
+        // A panic of the thread has printed its message.
         _ = self.thread.take().map(JoinHandle::join);
     }
 }

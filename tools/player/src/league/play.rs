@@ -16,7 +16,7 @@ use super::robot::{self, FOOTBALLERS, Footballer, ROBOT, Standing, WORLD};
 use super::world::{LeagueGame, LeagueWorld};
 use crate::cli::Play;
 
-/// JSON of a series.
+/// Report of a series, for JSON.
 #[derive(Serialize)]
 struct Report<'a> {
     schema: &'static str,
@@ -57,7 +57,7 @@ fn filmed(robot: &'static Footballer, args: &Play, entry: &Entry, film: &Path) -
     })
 }
 
-/// Refuses, since MuJoCo draws the pictures.
+/// Returns an error: MuJoCo, which renders the film, is missing from this program.
 #[cfg(not(feature = "mujoco"))]
 fn filmed(_robot: &'static Footballer, _args: &Play, _entry: &Entry, _film: &Path) -> Result<Outcome, Failure> {
     let help = "install its library with `cargo xtask mujoco`, then run \
@@ -65,9 +65,9 @@ fn filmed(_robot: &'static Footballer, _args: &Play, _entry: &Entry, _film: &Pat
     Err(Failure::new("a film of the league needs MuJoCo, and this program was built without it", help))
 }
 
-/// Runs the code again on the recording of a game; `None` if it is not one of this robot.
+/// Replays the recording of a game; `None` if the recording is not of this robot.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
-    // The reader of the other games reports a file that cannot be read.
+    // The reader of the other games reports an unreadable file.
     let recording = Recording::open(options.path).ok()?;
     let set_up = &recording.header().set_up;
     let world = set_up.get("world")?.as_str()?;
@@ -124,7 +124,7 @@ fn series(robot: &'static Footballer, args: &Play, entry: &Entry) -> Result<Outc
         _ = runner.robot_mut().set_params(&layers.settings());
         let limit = runner.world().now() + bica::Duration::from_micros((args.game_seconds() * 1e6) as u64);
         while !interrupt::requested() && !runner.world().is_over() && runner.world().now() < limit {
-            // Infallible.
+            // The error type is infallible.
             _ = runner.cycle();
         }
         drop(runner);
@@ -151,7 +151,7 @@ fn series(robot: &'static Footballer, args: &Play, entry: &Entry) -> Result<Outc
     })
 }
 
-/// Returns where and as whom the robot plays; refuses what this world does not have.
+/// Returns server, team and number of the player; refuses options that this world does not support.
 fn entry(args: &Play) -> Result<Entry, Failure> {
     if args.pictures.is_some() || args.robots > 0 {
         let what = "the league's server has no pictures and other robots here";

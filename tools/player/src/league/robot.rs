@@ -23,10 +23,10 @@ use crate::colour_profile::ColourProfile;
 /// Name of the world.
 pub(crate) const WORLD: &str = "league";
 
-/// Name of the option that says which robot plays.
+/// Name of the option that selects the robot.
 pub(crate) const ROBOT: &str = "robot";
 
-/// How a game stands, for the one who has started it.
+/// Result of a game so far, shared with the code that has started it.
 pub(crate) type Standing = Arc<Mutex<(LeagueGame, Option<Error>)>>;
 
 /// A robot of the league with its forward.
@@ -51,15 +51,15 @@ impl Footballer {
     }
 }
 
-/// What a forward estimates.
+/// Estimates of a forward.
 #[cfg(feature = "mujoco")]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Estimate {
-    /// Its pose in the frame where it began.
+    /// Pose of the robot relative to its start.
     pub(crate) odometry: Pose2,
-    /// Its pose on the field, x towards the attacked goal, while it is located.
+    /// Pose of the robot on the field, x towards the attacked goal; `None` unless it is localized.
     pub(crate) robot: Option<Pose2>,
-    /// The ball and the middle of the goal, m, ground frame, with whether the newest view shows them.
+    /// Position of the ball, m, ground frame, and whether the newest view shows it; position of the middle of the goal.
     pub(crate) ball: Option<(Vec2, bool)>,
     pub(crate) goal: Option<Vec2>,
 }

@@ -1,4 +1,4 @@
-//! Where a game begins.
+//! Start of a game.
 
 use bica_field::SSIM_2026;
 use bica_motion::pose::Pose2;
@@ -6,7 +6,7 @@ use glam::Vec2;
 
 /// Distance of the ball from the middle of the goal, m.
 const FROM_GOAL: [f32; 2] = [3.0, 8.0];
-/// Largest angle between the goal's axis and the direction from the goal to the ball, rad.
+/// Largest angle between the goal's axis and the direction from the goal to the ball, on either side, rad.
 const ASIDE: f32 = 1.0;
 /// Distance of the robot from the ball, m.
 const FROM_BALL: [f32; 2] = [1.0, 4.0];
@@ -21,7 +21,8 @@ pub(crate) struct Start {
 }
 
 impl Start {
-    /// The start with a seed: the ball 3 to 8 m from the goal, the robot 1 to 4 m from the ball, on the field, in any direction.
+    /// Draws a start from a seed: the ball 3 to 8 m from the goal, the robot 1 to 4 m from the ball, on the field, with
+    /// any heading.
     pub(crate) fn new(seed: u64) -> Self {
         let mut random = Random(seed);
         let mut between = |[low, high]: [f32; 2]| low + (high - low) * random.share();

@@ -1,4 +1,4 @@
-//! The league's server as a world of a robot's forward.
+//! World of a robot's forward in the league's server.
 
 use std::sync::PoisonError;
 
@@ -24,16 +24,16 @@ use super::start::Start;
 
 /// Duration of a cycle of the server, ms.
 const CYCLE: u64 = 20;
-/// Number of cycles in which the robot gets from straight joints to its stand.
+/// Number of cycles in which the robot moves from straight joints to its standing posture.
 const STANDING_UP: u32 = 100;
-/// Tilt of a torso that lies, rad.
+/// Tilt of the torso from which the robot counts as lying, rad.
 const LYING: f32 = 1.0;
-/// Time on the ground after which a game is lost, s: the referee puts such a robot beside the field.
+/// Time on the ground after which a game is lost, s: the referee then removes the robot from the field.
 const LOST_AFTER: f64 = 15.0;
 /// Distance of the players from the halfway line at a kick-off, and from each other, m.
 const KICK_OFF: Vec2 = Vec2::new(2.5, 3.0);
 
-/// Sensor values of a body that has not measured yet; the robots of the league measure neither temperatures nor currents.
+/// Sensor values of a body before the first measurement. The robots of the league measure neither temperatures nor currents.
 const UNMEASURED: Sensors<'_> = Sensors {
     angles: Joints::all(0.0),
     temperatures: Joints::all(f32::NAN),
@@ -45,15 +45,15 @@ const UNMEASURED: Sensors<'_> = Sensors {
     image: None,
 };
 
-/// How a game went.
+/// Result of a game.
 #[derive(Clone, Debug, Default, Serialize)]
 pub(crate) struct LeagueGame {
     pub(crate) seed: u64,
-    /// Goals of the robot's team and of the other one since the start, by the server's count.
+    /// Goals of the robot's team and of the other team since the start, as counted by the server.
     pub(crate) score: [u32; 2],
     /// Time from the start to the first goal of the team, s.
     pub(crate) goal_s: Option<f64>,
-    /// Time of the fall after which the robot lies, s.
+    /// Time of the fall after which the robot stayed on the ground, s.
     pub(crate) fall_s: Option<f64>,
     /// Duration, s.
     pub(crate) seconds: f64,
@@ -64,7 +64,7 @@ pub(crate) struct LeagueWorld {
     robot: &'static Footballer,
     agent: Agent,
     opponent: Option<Opponent>,
-    /// It stays to the end: the server may stop when one leaves.
+    /// Monitor, kept to the end: the server may stop when a monitor leaves.
     monitor: Option<Monitor>,
     server: Option<Server>,
     team: String,
@@ -77,7 +77,7 @@ pub(crate) struct LeagueWorld {
     #[cfg(feature = "mujoco")]
     last_view: View,
     cycles: u64,
-    /// Cycle of the start, and the score then.
+    /// Cycle of the start, and the score at that time.
     start: (u64, [u32; 2]),
     standing: Standing,
 }
@@ -129,7 +129,7 @@ impl LeagueWorld {
         Ok(world)
     }
 
-    /// Places ball and robot, lets it stand up, and begins.
+    /// Places ball and robot, waits until the robot stands, and begins the game.
     fn place(&mut self, monitor: &mut Monitor, seed: u64) -> Result<(), Error> {
         let Start { robot, ball } = Start::new(seed);
         monitor.place_player(self.number, robot, self.robot.body.standing_height)?;
@@ -167,7 +167,7 @@ impl LeagueWorld {
         self.estimator.complete(&mut self.body, CYCLE as f32 / 1000.0);
     }
 
-    /// What the robot knows of a sight: the marks in its own field frame, and the feet of other players.
+    /// Converts a sight for the robot: marks in its own field frame, and the feet of other players; `None` for other objects.
     fn sight(&self, sight: &client::Sight) -> Option<Sight> {
         let object = match &sight.what {
             Seen::Ball => Object::Ball,
@@ -183,7 +183,7 @@ impl LeagueWorld {
         Some(Sight { object, at: vector(sight).into() })
     }
 
-    /// What the body senses.
+    /// Sensor values of the body.
     #[cfg(feature = "mujoco")]
     pub(crate) const fn body(&self) -> &Sensors<'static> {
         &self.body
@@ -204,13 +204,13 @@ impl LeagueWorld {
         if self.is_right() { -1.0 } else { 1.0 }
     }
 
-    /// Goals of the robot's team and of the other one.
+    /// Goals of the robot's team and of the other team.
     fn score(&self) -> [u32; 2] {
         let [left, right] = self.perception.game.score;
         if self.is_right() { [right, left] } else { [left, right] }
     }
 
-    /// Whether players may move.
+    /// Returns whether players may move.
     fn is_playing(&self) -> bool {
         let Game { mode, .. } = &self.perception.game;
         !matches!(mode, PlayMode::BeforeKickOff | PlayMode::Goal | PlayMode::GameOver)
@@ -221,7 +221,7 @@ impl LeagueWorld {
         (CYCLE * (self.cycles - self.start.0)) as f64 / 1000.0
     }
 
-    /// Pose of the player before a kick-off, x towards the attacked goal and y as the server counts it.
+    /// Pose of the player before a kick-off, x towards the attacked goal, y in the direction that the server uses.
     fn kick_off(&self) -> Pose2 {
         let aside = f32::from(u8::try_from(self.number % 5).unwrap_or_default()) - 1.0;
         Pose2 { position: Vec2::new(-1.0, aside) * KICK_OFF, heading: 0.0 }
@@ -243,13 +243,13 @@ impl LeagueWorld {
         });
     }
 
-    /// Goes to the own place for the next kick-off.
+    /// Moves the player to its own place for the next kick-off.
     fn line_up(&mut self) -> Result<(), Error> {
         self.agent.place(self.kick_off(), &self.robot.body.model.stand, &Joints::all(1.0))?;
         self.sense()
     }
 
-    /// Acts for one cycle, and senses its result.
+    /// Executes a command for one cycle and reads the new perception.
     fn act(&mut self, Command { targets, stiffness, .. }: &Command) -> Result<(), Error> {
         let was_playing = self.is_playing();
         self.agent.act(targets, stiffness)?;
@@ -304,7 +304,7 @@ impl World<Forward> for LeagueWorld {
 }
 
 impl LeagueGame {
-    /// The result as a line.
+    /// Result of the game, one line.
     pub(crate) fn line(&self) -> String {
         let Self { seed, score: [ours, theirs], goal_s, fall_s, seconds } = self;
         let end = match (goal_s, fall_s) {

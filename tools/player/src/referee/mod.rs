@@ -1,4 +1,4 @@
-//! Games that a `GameController` commands: `play --referee`, and the command `referee`, a small `GameController`.
+//! Games under the commands of a `GameController`: `play --referee`, and the command `referee`, a small `GameController`.
 
 mod controller;
 mod network;

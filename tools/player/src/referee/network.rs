@@ -8,14 +8,14 @@ use bica_app::Failure;
 use bica_player::referee::{Answer, Identity, Inbox, Received};
 use socket2::{Domain, Socket, Type};
 
-/// Largest number of packets that wait for a cycle; of more, the oldest are dropped.
+/// Largest number of packets that wait for a cycle; beyond it the oldest packets are dropped.
 const WAITING: usize = 16;
-/// Largest number of datagrams that a cycle reads: a flood does not stop the robot.
+/// Largest number of datagrams that a cycle reads, so that a flood does not stop the robot.
 const DATAGRAMS: usize = 256;
-/// Longer than each datagram that counts.
+/// Size of the receive buffer, bytes: more than any valid datagram has.
 const LONGEST: usize = 2048;
 
-/// Opens a socket that receives what is sent to a port of this computer, beside other programs.
+/// Opens a socket on a port of this computer, which other programs may use at the same time.
 ///
 /// # Errors
 /// If the port cannot be opened.
@@ -36,14 +36,14 @@ pub(super) fn open(port: u16) -> Result<UdpSocket, Failure> {
     })
 }
 
-/// Calls `take` with each datagram that has arrived and the address of its sender, 256 at most.
+/// Calls `take` with each datagram that has arrived, at most 256, and the address of its sender.
 pub(super) fn drain(socket: &UdpSocket, mut take: impl FnMut(&[u8], Ipv4Addr)) {
     let mut buffer = [0; LONGEST];
     for _ in 0..DATAGRAMS {
         match socket.recv_from(&mut buffer) {
             Ok((length, SocketAddr::V4(from))) => take(&buffer[..length], *from.ip()),
             Err(error) if error.kind() == io::ErrorKind::WouldBlock => return,
-            // An error, as that nobody listens at the address of the last message.
+            // Other errors are ignored, for example that the receiver of the last message does not listen.
             _ => {}
         }
     }
@@ -54,7 +54,7 @@ pub(super) struct PlayerNetwork {
     socket: UdpSocket,
     me: Identity,
     inbox: Inbox,
-    /// The only accepted sender; `None`: any.
+    /// The only accepted sender; `None` accepts any.
     only: Option<Ipv4Addr>,
     return_port: u16,
     waiting: VecDeque<Received>,
@@ -71,22 +71,22 @@ impl PlayerNetwork {
         Ok(Self { socket, me, inbox: Inbox::new(me.team), only, return_port, waiting: VecDeque::new(), sent: 0 })
     }
 
-    /// Which player it is.
+    /// Team and number of the player.
     pub(super) const fn me(&self) -> Identity {
         self.me
     }
 
-    /// Number of datagrams that are no control packets for the team.
+    /// Number of datagrams that were not control packets for the team.
     pub(super) fn ignored(&self) -> u32 {
         self.inbox.ignored().total()
     }
 
-    /// Number of sent status messages.
+    /// Number of status messages that were sent.
     pub(super) const fn sent(&self) -> u64 {
         self.sent
     }
 
-    /// Reads what has arrived until `now`, µs, and returns the oldest packet that waits.
+    /// Reads all datagrams that have arrived until `now`, µs, and returns the oldest waiting packet.
     pub(super) fn receive(&mut self, now: u64) -> Option<Received> {
         let Self { socket, inbox, only, waiting, .. } = self;
         drain(socket, |datagram, source| {
@@ -103,7 +103,7 @@ impl PlayerNetwork {
         waiting.pop_front()
     }
 
-    /// Sends a status message; one that is lost is not sent again.
+    /// Sends a status message; a lost message is not sent again.
     pub(super) fn send(&mut self, answer: &Answer) {
         let to = SocketAddrV4::new(answer.to.into(), self.return_port);
         if self.socket.send_to(&answer.status.encode(), to).is_ok() {

@@ -21,7 +21,7 @@ use crate::game::{Rules, WorldKind, open_world};
 /// Name of the world.
 const WORLD: &str = "referee";
 
-/// Plays in the built-in world as the `GameController` orders.
+/// Plays in the built-in world under the commands of a `GameController`.
 pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
     refuse(args)?;
     let (me, only) = (identity(args)?, sender(referee)?);
@@ -38,7 +38,7 @@ pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
     };
     let attacks = open_world(&rules)?.referee().attacks();
     let (control, answers) = (args.referee.control_port, args.referee.return_port);
-    // A port that is taken is reported before the game begins.
+    // Opens the port once, so that a port in use is reported before the game begins.
     drop(PlayerNetwork::open(me, only, control, answers)?);
     let open = move |options: &WorldOptions| {
         options.value(ATTACKS, String::new())?;
@@ -54,7 +54,7 @@ pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
         world: WORLD.to_owned(),
         seed: args.seed,
         option: [args.option.clone(), vec![format!("{ATTACKS}={colour}")]].concat(),
-        // The network has a clock of its own.
+        // The network runs in real time.
         realtime: true,
         seconds: args.seconds,
         record: args.record.clone(),
@@ -64,12 +64,12 @@ pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
     })
 }
 
-/// Runs the code again on the recording of a game; `None` if it is not one of this world.
+/// Replays the recording of a game; `None` if the recording is not of this world.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
     attacked::replay(options, WORLD, maker)
 }
 
-/// Refuses what a game with a referee does not have.
+/// Refuses options that a game with a referee does not support.
 fn refuse(args: &Play) -> Result<(), Failure> {
     if args.world.kind != World::BuiltIn {
         let what = "--referee commands a robot in the built-in world, and this game is played in another one";
@@ -82,7 +82,7 @@ fn refuse(args: &Play) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Which player the robot is.
+/// Returns team and number of the player.
 fn identity(args: &Play) -> Result<Identity, Failure> {
     let team = args.league.team.parse().map_err(|_| {
         let what = format!("`{}` is no number of a team in a game with --referee", args.league.team);
@@ -99,7 +99,7 @@ fn identity(args: &Play) -> Result<Identity, Failure> {
     })
 }
 
-/// The only sender that `--referee=ADDRESS` accepts.
+/// Parses the only sender that `--referee=ADDRESS` accepts; `None` accepts any.
 fn sender(text: &str) -> Result<Option<Ipv4Addr>, Failure> {
     if text == ANYBODY {
         return Ok(None);

@@ -1,4 +1,4 @@
-//! A world with the network of a player.
+//! World with the network of a player.
 
 use std::fmt;
 
@@ -11,7 +11,7 @@ use bica_player::referee::{TeamCommand, TeamForward, TeamSensors};
 
 use super::network::PlayerNetwork;
 
-/// World of a forward, for a forward that a referee commands.
+/// World of a forward that a referee commands.
 pub(super) struct RefereedWorld {
     world: Box<dyn World<Forward>>,
     network: PlayerNetwork,

@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::process::{Folder, refused, run};
 use crate::test_image::{self, ORANGE, RED};
 
-/// Writes images with a ball and a red disc each, and their labels; returns the arguments of a calibration.
+/// Writes images, each with a ball and a red disc, and their labels; returns the arguments of a calibration.
 fn training_data(folder: &Folder) -> Vec<String> {
     let mut labels = vec!["file,ball_x,ball_y,ball_radius,ball_flag,goal".to_owned()];
     let mut rectangles = vec!["file,x0,y0,x1,y1,class".to_owned()];

@@ -1,7 +1,7 @@
 //! Games controlled by firmware on an emulated microcontroller.
 //!
-//! Tests that need a firmware image run if `BICA_IMAGE` names one when they are built, as `cargo xtask firmware` does after
-//! building it from these sources.
+//! Tests that need a firmware image run if `BICA_IMAGE` names one at build time. `cargo xtask firmware` builds the
+//! image from these sources and sets the variable.
 
 use std::env;
 use std::io::{BufRead, BufReader};
@@ -18,7 +18,7 @@ fn with_image<'a>(image: &'a mut String, more: &[&'a str]) -> Vec<&'a str> {
     [&["play", "--world", "firmware", "--image", image], more].concat()
 }
 
-/// Removes what depends on the computer.
+/// Removes all values that depend on the computer.
 fn story(mut printed: Value) -> Value {
     without_wall(&mut printed);
     printed
@@ -67,7 +67,7 @@ fn each_firmware_image_plays_sizes_that_fit() {
     }
 }
 
-/// The microcontroller computed the commands; the host's code must compute them again from what was recorded.
+/// The microcontroller computed the commands. From the recording, the code on the host must compute the same ones.
 #[test]
 #[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
 fn a_recorded_firmware_game_replays_on_the_host() {
@@ -87,7 +87,7 @@ fn a_recorded_firmware_game_replays_on_the_host() {
     }
 }
 
-/// A request that did not reach both would make their commands differ, which ends the game with code 2.
+/// A request that did not reach both sides would make their commands differ, which ends the game with code 2.
 #[test]
 #[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
 fn operated_firmware_game_replays() {
@@ -99,7 +99,7 @@ fn operated_firmware_game_replays() {
     let game = ["--world", "firmware", "--image", &image, "--seed", "3", "--seconds", "12", "--record", file];
     let served = serve(&game);
     for (args, kind) in [
-        // The game does not end while it is paused, however slow these programs are.
+        // A paused game does not end, however slow these programs are.
         (&["pause"][..], "world"),
         (&["set", "FaceBall.gain=0.875"], "set"),
         (&["modulate", "Body.go", "0.1", "-0.5"], "done"),
@@ -154,10 +154,10 @@ fn ctrl_c_ends_a_firmware_game_with_its_summary() {
     let mut image = String::new();
     let args = with_image(&mut image, &["--seed", "0"]);
     let mut program = player(&args);
-    // A terminal gives Ctrl-C to the whole group of what it has started.
+    // A terminal sends Ctrl-C to the whole process group of the program.
     let mut child = program.process_group(0).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let mut reader = BufReader::new(child.stdout.take().unwrap());
-    // In the middle of the game the program waits for the emulator most of the time.
+    // In the middle of the game the program waits most of the time for the emulator.
     let mut line = String::new();
     while !line.contains("approach") {
         line.clear();

@@ -48,7 +48,7 @@ fn options_set_up_the_start_and_faults_that_are_told() {
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_each_fault_has_its_line_entry_and_message() {
     let folder = Folder::new("faults");
-    // The fault of the gyroscope is found in a walk, in up to 6 s.
+    // The fault of the gyroscope is detected while the robot walks, within 6 s.
     for (option, fault) in [
         ("image=freeze", "the camera repeats the same image"),
         ("image=dark", "the camera's images are black"),

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::process::{Served, player, run};
 
-/// Starts a game with these arguments that serves monitors.
+/// Starts a game with these arguments and a server for monitors.
 pub(crate) fn serve(args: &[&str]) -> Served {
     Served::start(player(&[&["play", "--serve", "127.0.0.1:0"][..], args].concat()))
 }

@@ -1,4 +1,4 @@
-//! The forward behind LoLA's socket.
+//! Tests of the forward behind LoLA's socket.
 
 use std::io::{Read, Write};
 use std::os::unix::net::{UnixListener, UnixStream};
@@ -10,9 +10,10 @@ use bica_motion::model::NAO;
 
 use crate::process::{Folder, player, refused};
 
-/// Sends a map, and lets the joints go where the answer says; returns the stiffness of a knee, or `None` at the end of the connection.
+/// Sends a sensor map and moves the joints to the answered targets; returns the stiffness of a knee, or `None` at the
+/// end of the connection.
 fn cycle(stream: &mut UnixStream, map: &mut SensorMap, number: u32) -> Option<f32> {
-    // A unit whose values never change is broken.
+    // An inertial unit whose values never change counts as broken.
     map.gyroscope[0] = 1e-4 * (number % 7) as f32;
     stream.write_all(&map.encode()).ok()?;
     let mut bytes = Vec::new();
@@ -28,7 +29,7 @@ fn cycle(stream: &mut UnixStream, map: &mut SensorMap, number: u32) -> Option<f3
     }
 }
 
-/// A program on a robot that stands.
+/// Program on a standing robot.
 struct Standing {
     stream: UnixStream,
     map: SensorMap,
@@ -70,7 +71,7 @@ impl Standing {
         hip_height(&Joints(self.map.position))
     }
 
-    /// Sends a signal to the program, and runs until it closes the socket: the robot sits before its joints become limp.
+    /// Sends a signal to the program and runs until it closes the socket. The robot must sit before its joints become limp.
     fn sits_after(&mut self, signal: &str) {
         let status = Command::new("kill").args([signal, &self.program.id().to_string()]).status();
         assert!(status.is_ok_and(|status| status.success()));

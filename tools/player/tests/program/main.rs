@@ -1,4 +1,4 @@
-//! The program `player`, started as a process.
+//! Tests of the program `player`, started as a process.
 
 mod arguments;
 #[cfg(feature = "evaluation")]

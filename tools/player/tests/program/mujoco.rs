@@ -1,4 +1,4 @@
-//! Games and trials in MuJoCo, and the error without it.
+//! Games and trials in MuJoCo, and the error of a build without it.
 
 #[cfg(not(feature = "mujoco"))]
 #[test]
@@ -117,7 +117,7 @@ mod with_mujoco {
         let held = run(&["trial", "odometry", "--runs", "1", "--json"]);
         assert_eq!(held.code, Some(0), "{}", held.stderr);
         assert_eq!(held.json()["tables"][0]["trial"], "odometry");
-        // Legs of this torque cannot carry the robot.
+        // With this torque limit the legs cannot carry the robot.
         let weak = run(&["trial", "odometry", "--runs", "1", "--torque-limit", "0.5", "--json"]);
         assert_eq!(weak.code, Some(1), "{}", weak.stderr);
         let wrong = run(&["trial", "odometry", "--friction", "9"]);

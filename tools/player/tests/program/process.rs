@@ -18,14 +18,14 @@ pub(crate) fn run(args: &[&str]) -> Ran {
     Ran::of(player(args))
 }
 
-/// Runs the program, which must end with exit code 2 and these words on stderr.
+/// Runs the program. It must end with exit code 2 and print these words on stderr.
 pub(crate) fn refused(args: &[&str], words: &[&str]) -> Ran {
     let ran = run(args);
     ran.refused(words);
     ran
 }
 
-/// Removes everything that depends on the computer.
+/// Removes all values that depend on the computer.
 pub(crate) fn without_wall(value: &mut Value) {
     match value {
         Value::Object(fields) => {

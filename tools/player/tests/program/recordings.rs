@@ -1,4 +1,4 @@
-//! Recordings: written by a game, shown, mended, cut and replayed.
+//! Recordings: written by a game, listed, repaired, trimmed and replayed.
 
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -82,7 +82,7 @@ fn files_are_mended_cut_and_shown() {
     assert!(has_image(&view) && !has_image(&file));
 }
 
-/// Makes a recording as a monitor does.
+/// Writes a recording of the kind that a monitor writes.
 fn monitored(file: &str) {
     let component = Component { name: "Lamp".to_owned(), ..Component::default() };
     let description = Description { components: vec![component], cycle_hz: 100.0, ..Description::default() };
@@ -174,7 +174,7 @@ fn errors_name_the_file_and_the_remedy() {
 fn a_full_disk_does_not_end_the_game() {
     let ran = run(&["--seconds", "1", "--size", "160x120", "--record", "/dev/full", "--force", "--json"]);
     assert_eq!((ran.code, ran.stdout.as_str()), (Some(2), ""), "the header cannot be written: {}", ran.stderr);
-    // A limit on the size of files lets the header pass. Several chunks come after it, so that the game is not over then.
+    // The limit on the file size is larger than the header. Several chunks follow, so that the game is not over when it is reached.
     let folder = Folder::new("recorded-full");
     let file = folder.file("run.mcap");
     let program = env!("CARGO_BIN_EXE_player");
@@ -192,7 +192,7 @@ fn a_full_disk_does_not_end_the_game() {
     assert_eq!(&run(&["replay", &file, "--json"]).json()["equal"], true);
 }
 
-/// Kills a recording program after a time; returns the recorded time and the time since the file was made, s.
+/// Kills a recording program after a time; returns the recorded time and the time since the file was created, s.
 fn killed_after(file: &str, time: Duration) -> (f64, f64) {
     let args = ["--realtime", "--seed", "3", "--size", "160x120", "--record", file];
     let mut child = player(&args).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().expect("the program starts");

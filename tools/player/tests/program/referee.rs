@@ -1,4 +1,4 @@
-//! A player that a `GameController` commands, over UDP on this computer.
+//! Player under the commands of a `GameController`, over UDP on this computer.
 
 use std::io::{BufRead, BufReader, Read};
 use std::net::{SocketAddr, UdpSocket};
@@ -9,10 +9,10 @@ use bica_player::referee::packet::{CONTROL_BYTES, Control, PlayState, Status, Te
 
 use crate::process::{Folder, player, refused, run};
 
-/// Longest wait for a busy computer.
+/// Longest wait, for busy computers.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// A `GameController` of this test.
+/// `GameController` of this test.
 struct Controller {
     socket: UdpSocket,
     /// Address of the player's socket.
@@ -20,7 +20,7 @@ struct Controller {
     number: u8,
 }
 
-/// Returns a port that no program has.
+/// Returns a port that no program uses.
 fn free_port() -> u16 {
     let socket = UdpSocket::bind("127.0.0.1:0").expect("a port");
     socket.local_addr().expect("an address").port()
@@ -44,13 +44,13 @@ impl Controller {
         let mut out = [0; CONTROL_BYTES];
         let datagram = control.encode(&mut out).expect("no penalty");
         self.socket.send_to(datagram, self.to).expect("it is sent");
-        // What changes nothing: another length, another header, the true state.
+        // Datagrams that must be ignored: another length, another header, the true state.
         for noise in [&datagram[1..], b"RGTD", b"RGme\x15", b""] {
             self.socket.send_to(noise, self.to).expect("it is sent");
         }
     }
 
-    /// The next message, within 0.1 s.
+    /// Next status message; `None` after 0.1 s without one.
     fn receive(&self) -> Option<Status> {
         let mut buffer = [0; 64];
         let (length, _) = self.socket.recv_from(&mut buffer).ok()?;
@@ -58,7 +58,7 @@ impl Controller {
     }
 }
 
-/// Player 3 of team 5, in real time; it ends when this is dropped.
+/// Player 3 of team 5, in real time. Dropping it ends the program.
 struct Played {
     program: Child,
     lines: BufReader<ChildStdout>,
@@ -75,7 +75,7 @@ impl Played {
         Self { program, lines }
     }
 
-    /// Waits for a line of the output that contains a text.
+    /// Waits for an output line that contains a text.
     fn prints(&mut self, text: &str) {
         let mut lines = self.lines.by_ref().lines().map_while(Result::ok);
         assert!(lines.any(|line| line.contains(text)), "the program ended before `{text}`");
@@ -146,7 +146,7 @@ fn small_controller_commands_a_player() {
     std::fs::write(&script, text).expect("a file");
     let mut controller = Controller::new();
     let mut played = Played::start(&controller, &[]);
-    // The port of the messages is the small controller's from here on.
+    // From here on the port of the status messages belongs to the small controller.
     let (port, answers) = (controller.to.port().to_string(), controller.return_port());
     controller.socket = UdpSocket::bind("127.0.0.1:0").expect("a socket");
     let ports = ["--control-port", &port, "--return-port", &answers];

@@ -1,4 +1,4 @@
-//! Documentation of the JSON fields.
+//! Test of the documentation of all JSON fields.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,7 +11,8 @@ fn fields(value: &Value, found: &mut BTreeSet<String>) {
     match value {
         Value::Object(object) => {
             found.extend(object.keys().cloned());
-            // The fields of types of postcard-schema are those of that crate, those of a shape are those of its type.
+            // Types of postcard-schema have the fields of that crate, and a shape has the fields of its type; they are
+            // documented elsewhere.
             let elsewhere = if object.contains_key("shape") { "value" } else { "" };
             let values = object.iter().filter(|(name, _)| !["schema", "messages", elsewhere].contains(&name.as_str()));
             values.for_each(|(_, value)| fields(value, found));

@@ -1,4 +1,4 @@
-//! Detections of recorded images on a line each, and their score.
+//! Detections of recorded images, one line for each, and their score.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -81,7 +81,7 @@ fn the_score_counts_correct_and_wrong_detections() {
     let score = ["see", folder.text(), "--json", "--score", labels.to_str().expect("UTF-8")];
     let ran = run(&score);
     let score = &ran.lines()[4]["score"];
-    // Image 1: correct. Image 2: wrong position. Image 3: not labelled. Image 4: a red ball, not that of the game.
+    // Image 1: correct. Image 2: wrong position. Image 3: not labelled. Image 4: a red ball, which is not the ball of the game.
     let share = |of: i32, good: i32| serde_json::json!({"of": of, "good": good});
     assert_eq!((&score["recall"], &score["precision"]), (&share(2, 1), &share(3, 1)), "{score}");
     assert_eq!((&score["missed"], &score["goals"]["complete"]), (&serde_json::json!(["2.png"]), &share(1, 0)));
@@ -116,7 +116,7 @@ fn profiles_are_loaded_by_name_or_from_files() {
     refused(&path("short.bin"), &["short.bin", "99 bytes", "64×64×64"]);
 }
 
-/// The score of a folder of real images.
+/// Returns the score of a folder of real images.
 fn score(images: &Path, folder: &str) -> Value {
     let text = |path: PathBuf| path.to_str().expect("UTF-8").to_owned();
     let (dir, labels) = (text(images.join(folder)), text(images.join("labels.csv")));

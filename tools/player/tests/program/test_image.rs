@@ -12,7 +12,7 @@ pub(crate) type Disc = (i32, i32, i32, [u8; 3]);
 pub(crate) const ORANGE: [u8; 3] = [220, 105, 40];
 pub(crate) const RED: [u8; 3] = [215, 30, 45];
 
-/// Draws discs on a carpet that begins at row 60, with a grey hall above; red, green, blue of each pixel.
+/// Draws discs on a carpet that begins at row 60, with a grey hall above. Returns red, green and blue of each pixel.
 pub(crate) fn rgb(discs: &[Disc]) -> Vec<u8> {
     let places = (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y)));
     let colour = |(x, y): (i32, i32)| {
@@ -38,7 +38,7 @@ pub(crate) fn jpeg(path: &Path, rgb: &[u8]) {
     encoder.encode(rgb, WIDTH as u16, HEIGHT as u16, jpeg_encoder::ColorType::Rgb).expect("an image");
 }
 
-/// Writes camera bytes, full-range BT.601. With `twice`, each pixel becomes a pair: every second row of a larger image.
+/// Writes camera bytes, full-range BT.601. With `twice`, each pixel becomes a pair, as in an image with only every second row.
 pub(crate) fn yuyv(path: &Path, rgb: &[u8], twice: bool) {
     let ycc = |p: &[u8; 3]| {
         let [r, g, b] = p.map(f32::from);

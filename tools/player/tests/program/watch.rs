@@ -1,4 +1,4 @@
-//! Detection in recorded images, intact and broken ones.
+//! Detection in recorded images, both intact and broken.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ const HEADING: &str = "file,r00,r01,r02,r10,r11,r12,r20,r21,r22,tx_mm,ty_mm,tz_m
 /// Camera pose: 0.5 m high, pitched down by 30°.
 const POSE: &str = "0.8660254,0,0.5,0,1,0,-0.5,0,0.8660254,0,0,500";
 
-/// An orange ball at (x, 150), as large as one of 43 mm is there.
+/// Draws an orange ball at (x, 150) with the size of a ball of 43 mm at that position.
 fn draw(path: &Path, x: i32) {
     test_image::png(path, &test_image::rgb(&[(x, 150, 20, ORANGE)]));
 }
@@ -32,7 +32,7 @@ fn a_ball_is_detected_and_projected_to_the_ground() {
     assert!((first["ball"]["x"].as_f64().unwrap() - 100.0).abs() < 2.0, "{first}");
     assert!((second["ball"]["radius"].as_f64().unwrap() - 20.0).abs() < 2.0, "{second}");
     assert!(first["ball"]["ground"].is_null() && printed["summary"]["poses_missing"][0] == "1.png");
-    // The ray to the ball's centre goes down 30° and atan(30 / 385.54); it ends 43 mm above the ground.
+    // The ray to the ball's centre points down by 30° + atan(30 / 385.54) and ends 43 mm above the ground.
     let ahead = 0.457 / (30_f64.to_radians() + (30.0_f64 / 385.54).atan()).tan();
     assert!((second["ball"]["ground"][0].as_f64().unwrap() - ahead).abs() < 0.03, "{second}");
     assert_eq!(seen.names(), ["1.png", "2.png"]);

@@ -1,5 +1,5 @@
-//! Games of a firmware image over a link with damaged packets: what the microcontroller computed from the packets that it received is
-//! recorded, and replays.
+//! Games of a firmware image over a link with damaged packets. The host records what the microcontroller computed from
+//! the received packets; the recording must replay.
 
 use std::env;
 use std::fs::File;
@@ -28,10 +28,10 @@ use crate::files::{Temporary, replay_all, rules, with_stack};
 
 /// Longest game, s.
 const SECONDS: f32 = 30.0;
-/// One packet in so many is damaged.
+/// One of `DAMAGE` packets is damaged.
 const DAMAGE: u32 = 150;
 
-/// The forward on the host, which receives the same bytes as the microcontroller.
+/// Forward on the host that receives the same bytes as the microcontroller.
 struct Model {
     runner: Runner<Box<Forward>, (), (), Recorder>,
     decoder: Box<Decoder<MAX_PACKET>>,
@@ -40,7 +40,7 @@ struct Model {
 }
 
 impl Model {
-    /// Receives bytes; returns the command if they contain sensor values.
+    /// Processes bytes; returns the command if they contain sensor values.
     fn receive(&mut self, bytes: &[u8]) -> Option<(u64, Command)> {
         let mut command = None;
         for &byte in bytes {
@@ -62,7 +62,7 @@ impl Model {
     }
 }
 
-/// Damages a packet: a changed byte, a missing part, or all of it.
+/// Damages a packet: changes a byte, truncates it, or removes all of it.
 fn damage(packet: &mut Vec<u8>, rng: &mut Pcg64) {
     let at = rng.next_u32() as usize % packet.len();
     match rng.next_u32() % 3 {
@@ -72,7 +72,7 @@ fn damage(packet: &mut Vec<u8>, rng: &mut Pcg64) {
     }
 }
 
-/// Plays a game; returns the number of cycles, of those that the robot missed, and of the images that it dropped.
+/// Plays a game; returns the number of cycles, of cycles that the robot missed, and of images that it dropped.
 fn play(image: &Path, file: &Temporary, seed: u64) -> (u64, u64, u32) {
     let rules = rules(seed, SECONDS);
     let setup = Setup { seed, frame: rules.size, ..Setup::default() };
@@ -120,7 +120,7 @@ fn play(image: &Path, file: &Temporary, seed: u64) -> (u64, u64, u32) {
         } else {
             missed += 1;
         }
-        // A body that receives no command keeps the last one.
+        // A body without a new command keeps the last one.
         world.act(last.as_ref().expect("the first packets are intact"));
     }
     let (cycles, incomplete) = (model.cycles, model.image.incomplete());
@@ -136,13 +136,13 @@ fn start(image: &Path, attacks: GoalColour) -> Emulator {
     let mut set_up = [0; 8];
     let set_up = encode(&attacks, &mut set_up).expect("a byte");
     let hello = Hello { schema: SCHEMA, messages: MESSAGES, clock_mode: ClockMode::Lockstep, set_up };
-    // The model's decoder begins after this packet, so a missing first packet is counted by the robot only.
+    // The decoder of the model begins after this packet, so only the robot counts a missing first packet.
     emulator.link().send(&ToRobot::Hello(hello)).expect("the emulator runs");
     emulator.link().receive(identity).expect("its identity");
     emulator
 }
 
-/// The firmware image: the file that `BICA_IMAGE` names, else that of this repository.
+/// Path of the firmware image: the file in `BICA_IMAGE`, or else that of this repository.
 fn image() -> PathBuf {
     let built = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(FirmwareImage::DEFAULT);
     let image = env::var_os("BICA_IMAGE").map_or(built, PathBuf::from);

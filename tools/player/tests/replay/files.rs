@@ -1,4 +1,4 @@
-//! Recordings in files of a test.
+//! Files of recordings in tests.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -38,7 +38,7 @@ impl Drop for Temporary {
     }
 }
 
-/// Runs with a stack for the forward's tree.
+/// Runs a function on a thread whose stack is large enough for the forward's tree.
 pub(crate) fn with_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     thread::scope(|scope| {
         let builder = thread::Builder::new().stack_size(STACK_BYTES);
@@ -69,7 +69,7 @@ pub(crate) fn record(path: &Path, rules: &Rules, images: ImagePolicy) {
     assert_eq!((recording.recorded_cycles, recording.dropped_images, recording.reason), (summary.cycles, 0, None));
 }
 
-/// A forward in the built-in world that takes requests and is recorded.
+/// Returns a forward in the built-in world that accepts requests and is recorded.
 pub(crate) fn recorded(
     file: &Temporary,
     rules: &Rules,
@@ -94,7 +94,7 @@ pub(crate) fn replay_all(path: &Path) -> ReplayReport {
     replay(&ReplayOptions::whole(path)).expect("a recording")
 }
 
-/// Writes a recording again with other contents of some messages and metadata.
+/// Copies a recording, with changes of some messages and of the metadata.
 pub(crate) fn rewrite(
     file: &[u8],
     mut message: impl FnMut(Channel, &mut Vec<u8>),

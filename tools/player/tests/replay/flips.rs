@@ -1,4 +1,4 @@
-//! One flipped bit in a recording is found, and its cycle and field are named.
+//! A replay finds a single flipped bit in a recording, and names its cycle and field.
 
 use std::fs;
 
@@ -10,7 +10,7 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use crate::files::{Temporary, record, replay_all, rewrite, rules, with_stack};
 
-/// A flip: kind of the value, number of the message, and bit.
+/// Flip of one bit: kind of the value, number of the message, and index of the bit.
 #[derive(Clone, Copy, Debug)]
 struct Flip {
     kind: Channel,
@@ -18,7 +18,7 @@ struct Flip {
     bit: u64,
 }
 
-/// Returns the recording with the flip, and the number of the cycle in which it is.
+/// Returns the recording with the flip, and the number of the affected cycle.
 fn flipped(file: &[u8], flip: Flip, images: &[u64]) -> (Vec<u8>, u64) {
     let mut count = 0;
     let cycle = if flip.kind == Channel::Blobs { images[flip.message as usize] } else { flip.message };
@@ -35,7 +35,7 @@ fn flipped(file: &[u8], flip: Flip, images: &[u64]) -> (Vec<u8>, u64) {
                     *data = postcard::to_stdvec(&tick).expect("memory");
                 }
                 _ => {
-                    // 25 targets, 25 stiffnesses, 9 lights, and the camera.
+                    // The values at the end: 25 targets, 25 stiffnesses, 9 lights, and the camera.
                     let at = data.len() - 1 - 4 * 59 + (flip.bit / 8 % (4 * 59)) as usize;
                     data[at] ^= 1 << (flip.bit % 8);
                 }
@@ -77,7 +77,7 @@ fn flips_are_found(trials: u32, name: &str) {
             let field = match kind {
                 Channel::Command => "command.",
                 Channel::Blobs => "blobs",
-                // The tree runs at that instant: what differs depends on it.
+                // The tree runs at that instant, so the first difference can be in any field.
                 _ => "",
             };
             assert!(first.field.starts_with(field), "{flip:?}: {first:?}");

@@ -1,4 +1,4 @@
-//! Games of the built-in world.
+//! Replays of games in the built-in world.
 
 use std::fs;
 
@@ -8,7 +8,8 @@ use bica_recording::{BlobRecord, Channel, ImagePolicy};
 
 use crate::files::{Temporary, record, replay_all, rewrite, rules, with_stack};
 
-/// Records each game with images and by its rules, and replays both. Games of different seeds have 0 to 4 more robots.
+/// Records each game with images and by its rules, and replays both recordings. The number of other robots, 0 to 4,
+/// depends on the seed.
 fn replays_bit_for_bit(world: WorldKind, seeds: std::ops::Range<u64>, seconds: f32) {
     for seed in seeds {
         for (images, source) in [(ImagePolicy::All, "stored"), (ImagePolicy::None, "rules")] {
@@ -80,7 +81,7 @@ fn foreign_or_headless_recording_is_refused() {
     assert!(refused(&part).contains("begins with cycle 10"));
 }
 
-/// Returns why a replay is refused.
+/// Returns the reason for which a replay is refused.
 fn refusal(options: &ReplayOptions<'_>) -> String {
     match replay(options).expect_err("refused") {
         Failure::Error { what, .. } => what,
@@ -99,7 +100,7 @@ fn a_dropped_image_is_a_gap_in_the_replay() {
                 Channel::Blobs => postcard::from_bytes(data).expect("an image"),
                 _ => return,
             };
-            // The number of a cycle that does not come.
+            // The last record gets the number of a cycle that never comes.
             let cycle = if record.id == 8 { Some(u64::MAX) } else { record.cycle };
             *data = postcard::to_stdvec(&BlobRecord { cycle, ..record }).expect("memory");
         };

@@ -1,4 +1,4 @@
-//! Replays of games: equal bit for bit, and every change is found.
+//! Replays of games: they must be equal bit for bit, and must find every change.
 
 mod damaged_firmware;
 mod files;

@@ -1,4 +1,4 @@
-//! An operator who places the ball at random times.
+//! Replays of games in which an operator places the ball at random times.
 
 use std::fs::{self, File};
 
@@ -21,7 +21,7 @@ fn placed(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
     let mut count = 0;
     for _ in 0..CYCLES {
         while rng.next_u32().is_multiple_of(16) {
-            // A part of the positions is refused.
+            // Some of the positions are invalid and refused.
             let at = [6.6, 4.4].map(|width| (f32::from(rng.next_u32() as u16) / 65_536.0 - 0.5) * width);
             runner.requests_mut().push(Request::World { action: 0, arguments: &at.map(Value::F32) });
         }
@@ -33,8 +33,8 @@ fn placed(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
     count
 }
 
-/// Writes a recording again with other placements, consistent in itself. A request that releases the root, which nobody holds,
-/// takes the place of none.
+/// Copies a recording with other, consistent placements. A removed placement is replaced by a request that releases the
+/// root, which nobody holds.
 fn change(file: &Temporary, mut change: impl FnMut([f32; 2]) -> Option<[f32; 2]>) {
     let mut fingerprint = RunningFingerprint::default();
     let message = |channel: Channel, data: &mut Vec<u8>| match channel {

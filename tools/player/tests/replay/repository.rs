@@ -1,10 +1,10 @@
-//! The recordings of the repository.
+//! Replays of the recordings in the repository.
 
 use std::path::Path;
 
 use crate::files::{replay_all, with_stack};
 
-/// Name, number of cycles at least, and the arguments that record it again.
+/// File name, minimum number of cycles, and arguments that record the game again.
 const RECORDINGS: [(&str, u64, &str); 3] = [
     ("game.mcap", 2000, "--seed 7 --size 160x120 --images none"),
     ("crowd.mcap", 900, "--seed 5 --size 160x120 --robots 4 --seconds 10 --images none"),

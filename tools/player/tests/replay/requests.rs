@@ -1,4 +1,4 @@
-//! An operator who changes holds, rates and parameters and calls modulations at random times.
+//! Replays of games in which an operator changes holds, rates and parameters, and calls modulations, at random times.
 
 use std::fs::File;
 
@@ -13,7 +13,7 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use crate::files::{Temporary, recorded, replay_all, rules, with_stack};
 
-/// Plays a game with random requests; returns the number of accepted ones.
+/// Plays a game with random requests; returns the number of accepted requests.
 fn operated(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
     let rules = rules(rng.next_u64() % 1000, 2.0);
     let mut runner = recorded(file, &rules, images);
@@ -61,7 +61,7 @@ fn random_request(rng: &mut Pcg64) -> OwnedRequest {
     }
 }
 
-/// Returns a value of a kind, mostly in its range.
+/// Returns a random value of a kind, mostly within its range.
 fn random_value<V: Variants>(kind: &Kind<V>, rng: &mut Pcg64) -> Value {
     let share = f32::from(rng.next_u32() as u16) / 60_000.0;
     match kind {

@@ -11,11 +11,11 @@ use glam::Vec2;
 const SMOOTHING_TIME: f32 = 0.45;
 /// Distance from the best view above which the camera starts to move, m.
 const START_DISTANCE: f32 = 0.3;
-/// Distance from the best view below which it stops, m.
+/// Distance from the best view below which the camera stops, m.
 const STOP_DISTANCE: f32 = 0.03;
 /// Height of the camera, m.
 const CAMERA_HEIGHT: f32 = 0.66;
-/// Height of the point it is directed to, m.
+/// Height of the point at which the camera looks, m.
 const TARGET_HEIGHT: f32 = 0.31;
 /// Half of the horizontal angle of view, without a margin, rad.
 const HALF_VIEW: f32 = 0.47;
@@ -23,10 +23,10 @@ const HALF_VIEW: f32 = 0.47;
 const DISTANCES: [f32; 12] = [1.2, 1.35, 1.5, 1.65, 1.8, 2.0, 2.2, 2.4, 2.6, 2.9, 3.2, 3.6];
 /// Candidate directions from the robot, as angles from the direction away from the goal, rad.
 const ANGLES: [f32; 8] = [0.6, 0.85, 1.1, 1.4, -0.6, -0.85, -1.1, -1.4];
-/// Distance from the line of sight within which a post or a robot occludes what is behind it, m.
+/// Distance from the line of sight within which a post or a robot occludes objects behind it, m.
 const CLEARANCE: f32 = 0.3;
 
-/// Where a camera works.
+/// Surroundings in which a camera moves.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Site {
     /// The left post of the attacked goal.
@@ -41,18 +41,18 @@ impl Site {
     /// The hall with the field of the NAO.
     pub(super) const HALL: Self = Self { post: FIELD.goal_post(), limits: Vec2::new(5.5, 4.5), scale: 1.0 };
 
-    /// A field without a hall, and a robot that is `scale` times as high as a NAO.
+    /// Creates the site of a field without a hall; the robot is `scale` times as high as a NAO.
     #[cfg(feature = "mujoco")]
     pub(crate) fn outdoors(field: &FieldDimensions, scale: f32) -> Self {
         Self { post: field.goal_post(), limits: field.carpet_corner() + 5.0, scale }
     }
 }
 
-/// Camera that follows robot and ball, and stands still while both are well visible.
+/// Camera that follows robot and ball, and stands still while both are clearly visible.
 #[derive(Debug)]
 pub(crate) struct CameraOperator {
     site: Site,
-    /// Camera and target on the ground: current and after half the smoothing.
+    /// Camera and target positions on the ground: current, and after half of the smoothing.
     now: Option<([Vec2; 2], [Vec2; 2])>,
     /// Index in [`ANGLES`].
     angle: usize,
@@ -60,13 +60,13 @@ pub(crate) struct CameraOperator {
 }
 
 impl CameraOperator {
-    /// A camera before the first picture.
+    /// Creates a camera before the first picture.
     pub(crate) const fn new(site: Site) -> Self {
         Self { site, now: None, angle: 1, moves: true }
     }
 
-    /// Returns the camera that shows robot and ball, `dt` seconds after the previous call; other robots may be in its way. Positions on
-    /// the ground, m.
+    /// Returns the camera for the next picture, `dt` seconds after the previous call; it shows robot and ball. Other
+    /// robots may obstruct the view. Positions on the ground, m.
     pub(crate) fn follow(&mut self, robot: Vec2, ball: Vec2, others: Vec<Vec2>, dt: f32) -> SpectatorCamera {
         let subjects = Subjects { site: self.site, robot, ball, others };
         let best = self.choose(&subjects);
@@ -82,7 +82,7 @@ impl CameraOperator {
         SpectatorCamera { eye: now[0].extend(scale * CAMERA_HEIGHT), target: now[1].extend(scale * TARGET_HEIGHT) }
     }
 
-    /// Chooses the best view; another angle only if it is much better.
+    /// Chooses the best view; the angle changes only if another one is much better.
     fn choose(&mut self, subjects: &Subjects) -> [Vec2; 2] {
         let views = |angle: usize| DISTANCES.map(|distance| subjects.view(ANGLES[angle], self.site.scale * distance));
         let best = |angle: usize| views(angle).into_iter().min_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -95,7 +95,7 @@ impl CameraOperator {
     }
 }
 
-/// Positions that the film shows, and of possible obstacles, m.
+/// Positions of robot, ball and possible obstacles, m.
 struct Subjects {
     site: Site,
     robot: Vec2,
@@ -117,7 +117,7 @@ impl Subjects {
         let attack = (goal + Vec2::X - self.robot).normalize_or(Vec2::X);
         let eye = (self.robot - distance * rotate(attack, angle_from_goal)).clamp(-limits, limits);
         let axis = self.robot - eye;
-        // Angles to the left of the robot.
+        // Angles, positive to the left of the robot.
         let angle = |point: Vec2| axis.angle_to(point - eye);
         let body = 0.26 * scale / axis.length().max(0.3);
         let (right, left) = (angle(self.ball).min(-body), angle(self.ball).max(body));

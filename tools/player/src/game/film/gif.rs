@@ -17,9 +17,9 @@ pub(crate) const PICTURE_TIME: u16 = 7;
 /// Index of the transparent colour.
 const CLEAR: u8 = 255;
 
-/// Largest difference of a channel for which a pixel keeps its colour, in the view from outside.
+/// Largest difference of a channel for which a pixel keeps its colour, in the outside view.
 const TOLERANCE_OUTSIDE: u8 = 5;
-/// The same in the camera image, whose noise is not worth writing.
+/// The same for the camera image, whose noise need not be written.
 const TOLERANCE_CAMERA: u8 = 20;
 
 /// GIF that is being written.
@@ -34,7 +34,7 @@ pub(crate) struct Gif {
 }
 
 impl Gif {
-    /// A file without pictures.
+    /// Creates a file without pictures.
     pub(crate) fn new(path: &Path, width: usize, height: usize) -> Result<Self, Failure> {
         let colours = Colours::new();
         let mut palette: Vec<u8> = colours.all.iter().flatten().copied().collect();
@@ -48,7 +48,7 @@ impl Gif {
         Ok(Self { path: path.to_owned(), encoder, colours, width, before: Vec::new(), count: 0 })
     }
 
-    /// Adds a picture that is shown for the time of `times` pictures.
+    /// Adds a picture that is shown for `times` picture durations.
     pub(crate) fn add(&mut self, canvas: &Canvas, times: u16) -> Result<(), Failure> {
         let pixels = canvas.bytes().as_chunks::<3>().0;
         let now: Vec<u8> = pixels.iter().enumerate().map(|(at, rgb)| self.colour(at, *rgb)).collect();
@@ -59,7 +59,7 @@ impl Gif {
         Ok(())
     }
 
-    /// Returns the colour of a pixel: that of the previous picture within the tolerance.
+    /// Returns the colour of a pixel; the previous colour if it is within the tolerance.
     fn colour(&self, at: usize, rgb: Rgb) -> u8 {
         let before = self.before.get(at).copied();
         let outside = at % self.width < OUTSIDE_WIDTH;
@@ -71,7 +71,7 @@ impl Gif {
         before.filter(near).unwrap_or_else(|| self.colours.index(rgb))
     }
 
-    /// Returns the bounding box of all changes, transparent where nothing changed.
+    /// Returns the bounding box of all changes; unchanged pixels in it are transparent.
     fn change(&self, now: &[u8], delay: u16) -> Frame<'static> {
         let same = |at: usize| self.before.get(at) == Some(&now[at]);
         let (mut left, mut right, mut top, mut bottom) = (self.width, 0, usize::MAX, 0);
@@ -83,7 +83,7 @@ impl Gif {
             (left, right, top, bottom) = (0, 0, 0, 0);
         }
         let rows = (top..=bottom).flat_map(|y| (left..=right).map(move |x| (x, y)));
-        // Runs of one colour are smaller than changes between colour and transparency.
+        // Runs of one colour compress better than changes between colour and transparency.
         let changed = rows.map(|(x, y)| y * self.width + x).scan(CLEAR, |beside, at| {
             *beside = if same(at) && *beside != now[at] { CLEAR } else { now[at] };
             Some(*beside)

@@ -1,4 +1,4 @@
-//! Film of a game: the world from outside, the robot's camera image, and the active components.
+//! Film of a game: the outside view, the robot's camera image, and the active components.
 
 pub(crate) mod camera_operator;
 mod colours;
@@ -25,7 +25,7 @@ use gif::{Gif, PICTURE_TIME};
 
 /// Time between two pictures.
 pub(crate) const INTERVAL: Duration = Duration::from_millis(10 * PICTURE_TIME as u64);
-/// Number of pictures with the same camera image: its noise makes up most of a file.
+/// Number of pictures that share one camera image: its noise makes up most of a file.
 const CAMERA_REPEAT: u32 = 3;
 /// Duration of the last picture, as a number of pictures.
 pub(crate) const LAST_REPEAT: u16 = 35;
@@ -49,7 +49,7 @@ pub(crate) struct Film {
 }
 
 impl Film {
-    /// A film without pictures; makes the file.
+    /// Creates the file of a film, without pictures.
     pub(crate) fn new(path: &Path) -> Result<Self, Failure> {
         let gif = Gif::new(path, OUTSIDE_WIDTH + CAMERA_WIDTH, OUTSIDE_HEIGHT)?;
         Ok(Self { gif, operator: CameraOperator::new(Site::HALL), next: Duration::ZERO, last: None, camera_view: None })
@@ -92,7 +92,7 @@ impl GameObserver for Film {
     }
 }
 
-/// Draws one picture: both views, and the time, the tree, and where ball and goal are.
+/// Draws one picture: both views, the time, the tree, and the positions of ball and goal.
 pub(crate) fn sheet(
     picture: &Picture,
     own: Option<&Canvas>,

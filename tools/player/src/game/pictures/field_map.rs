@@ -24,7 +24,7 @@ pub(crate) struct Map {
 }
 
 impl Map {
-    /// An empty field, `width` px wide.
+    /// Creates the map of an empty field, `width` px wide.
     #[must_use]
     pub(crate) fn new(width: usize, attacks: GoalColour) -> Self {
         let scale = width as f32 / (2.0 * CARPET_HALF.x);
@@ -129,7 +129,7 @@ impl Map {
     }
 }
 
-/// Draws a legend of the map in one line from `at`.
+/// Draws the legend of the map in one line that begins at `at`.
 pub(crate) fn legend(canvas: &mut Canvas, at: Vec2) {
     let mut x = at.x;
     let mut entry = |sign: &dyn Fn(&mut Canvas, Vec2), words: &str| {

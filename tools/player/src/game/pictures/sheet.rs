@@ -45,14 +45,14 @@ pub(crate) struct Snapshot<'a> {
     pub(crate) tree: &'a TreeState<'a>,
 }
 
-/// Draws the sheets of a game.
+/// Renderer of a game's sheets.
 #[derive(Debug)]
 pub(crate) struct Sheet {
     tree: TreeView,
 }
 
 impl Sheet {
-    /// A drawer for a tree.
+    /// Creates the renderer.
     #[must_use]
     pub(crate) fn new() -> Self {
         Self { tree: TreeView::new(&TREE, TREE_WIDTH, TREE_HEIGHT) }

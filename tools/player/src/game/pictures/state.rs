@@ -14,7 +14,7 @@ use crate::game::scene::Scene;
 /// Estimates of the robot.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Estimates {
-    /// Pose on the field, m: odometry from the true start.
+    /// Pose on the field, m: the true start plus odometry.
     pub(crate) robot: Pose2,
     /// Ball in the robot's frame, m.
     pub(crate) ball: Option<Vec2>,
@@ -38,7 +38,7 @@ pub(crate) struct GroundTruth {
 }
 
 impl Scene<'_> {
-    /// Returns the detections in the newest image, of the active detectors.
+    /// Returns the detections of the active detectors in the newest image.
     pub(crate) fn marks(&self) -> Marks {
         let ball = self.robot.get::<BallDetector>().seen().filter(|_| self.is_active::<BallDetector>());
         let net = self.robot.get::<GoalDetector>().seen().filter(|_| self.is_active::<GoalDetector>());
@@ -72,7 +72,7 @@ impl Scene<'_> {
         }
     }
 
-    /// Returns the newest image, if there is one.
+    /// Returns the newest image; `None` before the first one.
     pub(crate) fn image(&self) -> Option<Image<'_>> {
         Some(self.robot.get::<CameraInput>().image()).filter(|image| image.width > 0)
     }

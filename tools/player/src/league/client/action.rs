@@ -1,4 +1,4 @@
-//! What a player's motors shall do.
+//! Message with the targets of a player's motors.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! The connection of a player.
+//! Connection of a player.
 
 use std::io::ErrorKind;
 use std::net::TcpStream;
@@ -20,7 +20,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 
 /// A player in the server.
 ///
-/// The server waits for one message of each player in each cycle: after each perception, send exactly one action.
+/// In each cycle the server waits for one message of each player: after each perception, exactly one action must be sent.
 #[derive(Debug)]
 pub(crate) struct Agent {
     stream: TcpStream,
@@ -57,7 +57,7 @@ impl Agent {
     /// Waits for the perception of the next cycle.
     ///
     /// # Errors
-    /// If the connection broke, or the message cannot be read.
+    /// If the connection is broken, or the message cannot be parsed.
     pub(crate) fn sense(&mut self) -> Result<Perception, Error> {
         frame::read(&mut self.stream, &mut self.message)?;
         Perception::parse(&self.message)
@@ -66,16 +66,16 @@ impl Agent {
     /// Moves the joints to their targets, rad, with a stiffness from 0 to 1, until the next action.
     ///
     /// # Errors
-    /// If the connection broke.
+    /// If the connection is broken.
     pub(crate) fn act(&mut self, targets: &Joints, stiffness: &Joints) -> Result<(), Error> {
         frame::write(&mut self.stream, &action::motors(self.body, targets, stiffness))
     }
 
-    /// As [`act`](Self::act), and asks to stand at a pose in the own half, with x towards the attacked goal, which the server grants
-    /// before a kick-off and after a goal. All joints are at zero then.
+    /// Acts like [`act`](Self::act), and requests a pose in the own half, with x towards the attacked goal. The server
+    /// grants it before a kick-off and after a goal; all joints are at zero then.
     ///
     /// # Errors
-    /// If the connection broke.
+    /// If the connection is broken.
     pub(crate) fn place(&mut self, at: Pose2, targets: &Joints, stiffness: &Joints) -> Result<(), Error> {
         let (Vec2 { x, y }, heading) = (at.position, at.heading.to_degrees());
         let motors = action::motors(self.body, targets, stiffness);

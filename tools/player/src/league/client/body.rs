@@ -35,7 +35,7 @@ pub(crate) const K1: &Body = &Body {
     profile: &Profile { gait: K1_GAIT, ..*simulation::K1.robot.dynamic_profile },
 };
 
-/// Found by a random search over falls in the server, whose motors lag less than those of our `MuJoCo`.
+/// Gait found by a random search that counted falls in the server, whose motors lag less than those of our `MuJoCo`.
 const T1_GAIT: Parameters = Parameters {
     half_spacing: 0.106,
     torso_offset: -0.005,
@@ -64,7 +64,7 @@ const T1_GAIT: Parameters = Parameters {
     ..simulation::T1.robot.dynamic_profile.gait
 };
 
-/// The K1's gait of `MuJoCo` with the height of steps and the smoothing of the T1, and motors that lag less.
+/// Gait of the K1 in `MuJoCo`, with the step height and the smoothing of the T1, and with motors that lag less.
 const K1_GAIT: Parameters = Parameters {
     step_duration: 0.3,
     step_height: 0.069,
@@ -127,7 +127,7 @@ pub(crate) const fn effector(joint: Joint) -> &'static str {
     }
 }
 
-/// Joint of a sensor: `q_llj4` is the sensor beside the motor `lle4`.
+/// Returns the joint of a sensor: the sensor `q_llj4` belongs to the motor `lle4`.
 pub(crate) fn joint_of(sensor: &str) -> Option<Joint> {
     let (limb, number) = sensor.strip_prefix("q_")?.rsplit_once('j')?;
     Joint::ALL.into_iter().find(|&joint| effector(joint).rsplit_once('e') == Some((limb, number)))

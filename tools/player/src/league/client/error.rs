@@ -6,15 +6,15 @@ use std::io;
 /// Reason for which a connection or the server ended.
 #[derive(Debug)]
 pub(crate) enum Error {
-    /// The server cannot be started: program, and what the system said.
+    /// The server cannot be started: program, and error of the operating system.
     Start(String, io::Error),
-    /// The server ended or did not listen within the time: its last output.
+    /// The server ended, or did not listen within the time limit: its last output.
     NotReady(String),
-    /// A connection was refused, or broke.
+    /// A connection was refused or is broken.
     Connection(io::Error),
-    /// The server closed the connection after the greeting: the model or the number is not accepted.
+    /// The server closed the connection after the greeting: it does not accept the model or the number.
     Refused,
-    /// A message that the protocol does not allow: what was wrong.
+    /// A message violates the protocol: reason.
     Message(&'static str),
 }
 

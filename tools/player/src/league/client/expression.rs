@@ -2,7 +2,7 @@
 
 use super::error::Error;
 
-/// Most lists within each other. The scene of a monitor has about 30.
+/// Maximum depth of nested lists. The scene of a monitor has a depth of about 30.
 const DEEPEST: usize = 64;
 
 /// An atom or a list.
@@ -13,10 +13,10 @@ pub(crate) enum Expression<'a> {
 }
 
 impl<'a> Expression<'a> {
-    /// Reads all expressions of a message.
+    /// Parses all expressions of a message.
     ///
     /// # Errors
-    /// If a parenthesis has no partner, or lists are too deep within each other.
+    /// If a parenthesis has no partner, or lists are nested too deeply.
     pub(crate) fn parse(message: &'a str) -> Result<Vec<Self>, Error> {
         let mut open = vec![Vec::new()];
         let mut rest = message;
@@ -47,7 +47,7 @@ impl<'a> Expression<'a> {
         if open.is_empty() { Ok(all) } else { Err(Error::Message("a `(` has no `)`")) }
     }
 
-    /// Returns the atom at the head of a list and what follows; `None` for an atom, and for a list without such a head.
+    /// Returns the atom at the head of a list and the rest; `None` for an atom, and for a list without such a head.
     pub(crate) fn call(&self) -> Option<(&'a str, &[Self])> {
         match self {
             Self::List(list) => match list.split_first() {
@@ -58,12 +58,12 @@ impl<'a> Expression<'a> {
         }
     }
 
-    /// Returns an atom's text.
+    /// Returns the text of an atom.
     pub(crate) const fn atom(&self) -> Option<&'a str> {
         if let Self::Atom(text) = self { Some(text) } else { None }
     }
 
-    /// Returns an atom's finite number.
+    /// Returns the number in an atom, if it is finite.
     pub(crate) fn number(&self) -> Option<f32> {
         self.atom()?.parse().ok().filter(|number: &f32| number.is_finite())
     }
@@ -74,7 +74,7 @@ pub(crate) fn find<'a, 'b>(expressions: &'b [Expression<'a>], name: &str) -> Opt
     expressions.iter().filter_map(Expression::call).find_map(|(head, rest)| (head == name).then_some(rest))
 }
 
-/// Returns as many finite numbers as the array has.
+/// Returns the first `N` finite numbers; `None` if there are fewer.
 pub(crate) fn numbers<const N: usize>(expressions: &[Expression<'_>]) -> Option<[f32; N]> {
     let numbers: Vec<f32> = expressions.iter().map_while(Expression::number).take(N).collect();
     numbers.try_into().ok()

@@ -1,16 +1,16 @@
-//! Frames: the length of a message in four bytes, the most significant first, then the message.
+//! Frames: the length of a message in four bytes, big-endian, then the message.
 
 use std::io::{Read, Write};
 
 use super::error::Error;
 
-/// Longest message, bytes. The longest ones of the server, with the whole scene, have 32 kB.
+/// Longest message, bytes. The longest messages of the server, with the whole scene, have 32 kB.
 const LONGEST: usize = 1 << 20;
 
 /// Writes a message.
 ///
 /// # Errors
-/// If the connection broke, or the message is too long.
+/// If the connection is broken, or the message is too long.
 pub(crate) fn write(to: &mut impl Write, message: &str) -> Result<(), Error> {
     let length = u32::try_from(message.len()).map_err(|_| Error::Message("it is too long"))?;
     let mut bytes = length.to_be_bytes().to_vec();
@@ -21,7 +21,7 @@ pub(crate) fn write(to: &mut impl Write, message: &str) -> Result<(), Error> {
 /// Waits for the next message and reads it into `message`.
 ///
 /// # Errors
-/// If the connection broke, or the message is too long or not UTF-8.
+/// If the connection is broken, or the message is too long or not UTF-8.
 pub(crate) fn read(from: &mut impl Read, message: &mut String) -> Result<(), Error> {
     let mut length = [0; 4];
     from.read_exact(&mut length)?;

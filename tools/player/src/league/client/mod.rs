@@ -1,10 +1,10 @@
 //! Client of `RCSSServerMJ` 0.2.1, the simulation server of RoboCup's 3D soccer league, which is not part of this workspace.
 //!
-//! [`Server`] starts the server as a process. [`Agent`] is the connection of one player: it reads what the player senses and
-//! sends what its motors shall do. [`Monitor`] is the connection of a person beside the field: it places ball and players.
-//! Nothing here knows the program of a robot.
+//! [`Server`] starts the server as a process. [`Agent`] is the connection of one player: it receives the player's
+//! perception and sends the targets of its motors. [`Monitor`] is a connection that places ball and players. This
+//! module does not depend on the program of a robot.
 //!
-//! The server also tells each player the true pose of its torso. [`Perception`] does not contain it: no player can read it.
+//! The server also sends each player the true pose of its torso. [`Perception`] does not contain it, so no player can read it.
 
 mod action;
 mod agent;

@@ -1,4 +1,4 @@
-//! What a player senses in a cycle.
+//! Perception of a player in a cycle.
 
 use bica_motion::joints::Joints;
 use glam::Vec3;
@@ -7,7 +7,7 @@ use super::body::joint_of;
 use super::error::Error;
 use super::expression::{Expression, find, numbers};
 
-/// What a player senses in a cycle of 20 ms: all but the true pose, which the server sends, too.
+/// Perception of a player in a cycle of 20 ms: everything that the server sends except the true pose.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Perception {
     /// State of the game.
@@ -18,7 +18,7 @@ pub(crate) struct Perception {
     pub(crate) gyro: Vec3,
     /// Specific force along the same axes, m/s²: (0, 0, 9.81) at rest.
     pub(crate) acceleration: Vec3,
-    /// What the camera sees, in every second cycle.
+    /// Objects that the camera sees; in every second cycle.
     pub(crate) sights: Option<Vec<Sight>>,
 }
 
@@ -33,7 +33,7 @@ pub(crate) struct Game {
     pub(crate) teams: [String; 2],
 }
 
-/// Play mode, as far as a player without a team distinguishes it.
+/// Play mode, as far as a player distinguishes it without its team.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum PlayMode {
     /// Before a kick-off: players may be placed.
@@ -49,10 +49,11 @@ pub(crate) enum PlayMode {
     Other,
 }
 
-/// Something in the view of the camera: 60° to each side, up and down. The server computes it without noise, and nothing hides it.
+/// Object in the view of the camera, which covers 60° to each side, up and down. The server computes it without noise
+/// and without occlusion.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Sight {
-    /// What is seen.
+    /// The object.
     pub(crate) what: Seen,
     /// Distance from the camera, m.
     pub(crate) distance: f32,
@@ -67,13 +68,13 @@ pub(crate) struct Sight {
 pub(crate) enum Seen {
     /// The centre of the ball.
     Ball,
-    /// A mark of the field by its name, as `l_ruf` or `g_rup`.
+    /// A mark of the field, by its name, such as `l_ruf` or `g_rup`.
     Mark(String),
     /// A part of a player.
     Player {
         /// Name of its team.
         team: String,
-        /// Its number.
+        /// Number of the player.
         number: u32,
         /// `head`, `lfoot` or another name of the robot's model.
         part: String,
@@ -81,10 +82,10 @@ pub(crate) enum Seen {
 }
 
 impl Perception {
-    /// Reads the message of a cycle.
+    /// Parses the message of a cycle.
     ///
     /// # Errors
-    /// If it is not well-formed, or lacks game, gyroscope or accelerometer.
+    /// If it is not well-formed, or lacks the game, the gyroscope or the accelerometer.
     pub(crate) fn parse(message: &str) -> Result<Self, Error> {
         let all = Expression::parse(message)?;
         let one = |name, value| find(&all, name).and_then(|rest| numbers::<3>(find(rest, value)?));
@@ -125,7 +126,7 @@ impl Game {
     }
 }
 
-/// Returns the sights of a list of `See`: one, or the parts of a player.
+/// Returns the sights of one element of `See`: one, or the parts of a player.
 fn sights_of(expression: &Expression<'_>) -> Vec<Sight> {
     let Some((name, rest)) = expression.call() else { return Vec::new() };
     if name != "P" {

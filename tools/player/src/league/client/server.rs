@@ -1,4 +1,4 @@
-//! The server as a process.
+//! Process of the server.
 
 use std::env;
 use std::fs::{self, File};
@@ -10,15 +10,15 @@ use std::time::{Duration, Instant};
 
 use super::error::Error;
 
-/// Longest time until the server listens; it takes 5 s.
+/// Longest time until the server listens; usually it takes 5 s.
 const START: Duration = Duration::from_mins(1);
-/// Longest time until it ends after the request to do so.
+/// Longest time until the server ends after the request.
 const END: Duration = Duration::from_secs(3);
 
 /// Address of a server.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Address {
-    /// Name or number of the computer.
+    /// Name or IP address of the computer.
     pub(crate) host: String,
     /// Port of the players.
     pub(crate) agents: u16,
@@ -26,28 +26,28 @@ pub(crate) struct Address {
     pub(crate) monitors: u16,
 }
 
-/// A server that this program has started. It ends with this value.
+/// Server that this program has started. Dropping the value ends it.
 #[derive(Debug)]
 pub(crate) struct Server {
     process: Child,
     address: Address,
-    /// Its output and its files, which end with it.
+    /// Folder with the output and the files of the server; it is removed with the server.
     folder: PathBuf,
 }
 
 impl Server {
-    /// Returns the path of the program that `cargo xtask league` installs below the build directory, which belongs to `workspace`.
+    /// Returns the path of the program that `cargo xtask league` installs in the build directory of `workspace`.
     #[must_use]
     pub(crate) fn installed(workspace: &Path) -> PathBuf {
         let built = env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace.join("target"), PathBuf::from);
         built.join("league/bin/rcssservermj")
     }
 
-    /// Starts a server in which each cycle waits for all players, as fast as possible or in real time, and waits until it listens.
-    /// `program` is the path of `rcssservermj`.
+    /// Starts a server and waits until it listens. Each of its cycles waits for all players, as fast as possible or in
+    /// real time. `program` is the path of `rcssservermj`.
     ///
     /// # Errors
-    /// If it cannot be started, or does not listen within a minute.
+    /// If the server cannot be started, or does not listen within a minute.
     pub(crate) fn start(program: &Path, realtime: bool) -> Result<Self, Error> {
         let failed = |error| Error::Start(program.display().to_string(), error);
         let program = fs::canonicalize(program).map_err(failed)?;
@@ -61,7 +61,7 @@ impl Server {
         if !realtime {
             command.arg("--no-realtime");
         }
-        // Ctrl-C ends the program, which then ends its server.
+        // Ctrl-C ends only this program, which then ends its server.
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
         command.stdin(Stdio::null()).stdout(output.try_clone()?).stderr(output);
@@ -75,7 +75,8 @@ impl Server {
     fn wait_until_ready(&mut self) -> Result<(), Error> {
         let began = Instant::now();
         while began.elapsed() < START && self.process.try_wait()?.is_none() {
-            // A monitor that leaves at once may stop the server: its socket is asked with a player's, which says nothing.
+            // A monitor that disconnects at once may stop the server, so this polls with the socket of a player, which
+            // sends nothing.
             if TcpStream::connect((&*self.address.host, self.address.agents)).is_ok() {
                 return Ok(());
             }
@@ -84,7 +85,7 @@ impl Server {
         Err(Error::NotReady(fs::read_to_string(self.folder.join("output.txt")).unwrap_or_default()))
     }
 
-    /// Returns its address.
+    /// Returns the address of the server.
     #[must_use]
     pub(crate) const fn address(&self) -> &Address {
         &self.address
@@ -93,7 +94,7 @@ impl Server {
 
 impl Drop for Server {
     fn drop(&mut self) {
-        // The process is a child of this one and not awaited: its number is still its own.
+        // The process is a child of this one and has not been awaited, so its number is still valid.
         let interrupt = Command::new("kill").args(["-INT", &self.process.id().to_string()]).status();
         let began = Instant::now();
         while interrupt.is_ok() && began.elapsed() < END {
@@ -108,7 +109,7 @@ impl Drop for Server {
     }
 }
 
-/// Returns two ports that no program uses now.
+/// Returns two ports that no program uses at the moment.
 fn free_ports() -> Result<[u16; 2], Error> {
     let listeners = [TcpListener::bind("127.0.0.1:0")?, TcpListener::bind("127.0.0.1:0")?];
     let [agents, monitors] = &listeners;

@@ -1,4 +1,4 @@
-//! Tests with the server itself; `cargo xtask ci --only league` runs them.
+//! Tests with the real server; `cargo xtask ci --only league` runs them.
 
 use std::path::Path;
 

@@ -7,23 +7,23 @@ use bica_player::referee::packet::{Penalty, PlayState, SetPlay};
 /// Command of the referee.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Command {
-    /// The state; for ready with the team that kicks off.
+    /// Sets the state; for ready with the team that kicks off.
     State(PlayState, Option<u8>),
-    /// Whether the game is stopped.
+    /// Stops the game, or resumes it.
     Stopped(bool),
-    /// A penalty of a player of a team.
+    /// Gives a penalty to a player: team, number of the player, penalty.
     Penalty(u8, u8, Penalty),
-    /// A set play of a team.
+    /// Begins a set play of a team.
     SetPlay(SetPlay, u8),
-    /// A goal for a team.
+    /// Counts a goal for a team.
     Goal(u8),
-    /// Remaining time of the half, s.
+    /// Sets the remaining time of the half, s.
     Clock(i16),
-    /// Whether it is the first half.
+    /// Selects the first or the second half.
     FirstHalf(bool),
-    /// Time until the next command, s.
+    /// Waits for a time, s, before the next command.
     Wait(f64),
-    /// Shows who answers.
+    /// Prints the players that answer.
     Players,
     Quit,
 }
@@ -58,10 +58,10 @@ const SET_PLAYS: [(&str, SetPlay); 7] = [
 ];
 
 impl Command {
-    /// Parses a line; `None` for an empty one or a comment, which begins with `#`.
+    /// Parses a line; `None` if it is empty or a comment, which begins with `#`.
     ///
     /// # Errors
-    /// If it is no command; the text says what was expected.
+    /// If it is not a command; the text names the expected input.
     pub(super) fn parse(line: &str) -> Result<Option<Self>, String> {
         let mut words = line.split('#').next().unwrap_or_default().split_whitespace();
         let Some(name) = words.next() else { return Ok(None) };

@@ -1,4 +1,4 @@
-//! The state of a game, and when its packets are sent.
+//! State of a game, and the times at which its packets are sent.
 
 use bica_player::referee::packet::{Control, Penalty, PlayState, SetPlay, Team, Version};
 
@@ -11,18 +11,18 @@ const HALF: f64 = 600.0;
 const READY: f64 = 45.0;
 /// Duration of a kick-off, s.
 const KICK_OFF: f64 = 10.0;
-/// Duration of a set play after it was resumed, s.
+/// Duration of a set play after the game was resumed, s.
 const SET_PLAY: f64 = 45.0;
 /// Duration of a penalty, s.
 const PENALTY: f64 = 30.0;
-/// Number of messages of a team in a game.
+/// Message budget of a team in a game.
 const BUDGET: u16 = 12_000;
 /// Time between two packets, s.
 const PERIOD: f64 = 0.5;
-/// Time between two packets, and their number, after the game was stopped, s.
+/// Period, s, and number of the packets after the game was stopped.
 const QUICK: (f64, u8) = (0.2, 4);
 
-/// A game. Its times are in seconds since the start.
+/// State of a game. Times are in seconds since the start.
 pub(super) struct Game {
     control: Control,
     now: f64,
@@ -30,18 +30,18 @@ pub(super) struct Game {
     clock: f64,
     /// Remaining secondary time, s.
     secondary: f64,
-    /// Time at which each penalty may end.
+    /// Earliest end of each penalty.
     penalties: [[f64; 20]; 2],
     delay: f64,
-    /// Time from which on playing is shown.
+    /// Time from which the state playing is shown.
     shown_from: f64,
-    /// Time of the next packet, and number of quick packets.
+    /// Time of the next packet, and remaining number of quick packets.
     next: f64,
     quick: u8,
 }
 
 impl Game {
-    /// A game before its first half.
+    /// Creates a game before its first half.
     pub(super) fn new(args: &RefereeCommand) -> Self {
         let team = |number| {
             let mut team = Team { number, goalkeeper: 1, message_budget: BUDGET, ..Team::default() };
@@ -74,7 +74,7 @@ impl Game {
     /// Executes a command. The next packet is sent at once.
     ///
     /// # Errors
-    /// If the game has no such team, or the version of the packets no such penalty.
+    /// If the game has no such team, or the packet version has no such penalty.
     pub(super) fn execute(&mut self, command: Command) -> Result<(), String> {
         match command {
             Command::State(state, kicking) => self.begin(state, kicking)?,
@@ -146,7 +146,7 @@ impl Game {
         })
     }
 
-    /// Advances to a time, s; returns a packet if one is due.
+    /// Advances the game to a time, s; returns a packet if one is due.
     pub(super) fn advance(&mut self, now: f64) -> Option<Control> {
         let seconds = (now - self.now).max(0.0);
         self.now = now;
@@ -168,7 +168,7 @@ impl Game {
         })
     }
 
-    /// The packet as it is shown: a game that has just begun is shown as set.
+    /// Packet as it is sent: the state playing is shown as set until its delay has passed.
     fn shown(&self) -> Control {
         let is_hidden = self.now < self.shown_from;
         let mut shown = self.control;
@@ -186,7 +186,7 @@ impl Game {
         shown
     }
 
-    /// The game as a line.
+    /// State of the game, one line.
     pub(super) fn line(&self) -> String {
         let Control { state, set_play, stopped, teams, .. } = &self.control;
         let stopped = if *stopped { ", stopped" } else { "" };
@@ -218,7 +218,7 @@ mod tests {
         game.execute(Command::parse(line)?.expect("a command"))
     }
 
-    /// Times of the packets of some seconds, in units of 0.1 s, and the last packet.
+    /// Returns the times of the packets in some seconds, in units of 0.1 s, and the last packet.
     fn packets(game: &mut Game, seconds: f64) -> (Vec<u32>, Control) {
         let start = game.now;
         let sent = (1..=(seconds * 100.0) as u32).filter_map(|step| {

@@ -1,4 +1,4 @@
-//! `referee`: a small `GameController` for tests, and for users who have none.
+//! `referee`: a small `GameController` for tests, and for users without the real one.
 
 mod args;
 mod command;

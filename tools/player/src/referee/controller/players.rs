@@ -1,11 +1,11 @@
-//! Players that answer.
+//! Players that answer to the referee.
 
 use std::collections::BTreeMap;
 use std::net::Ipv4Addr;
 
 use bica_player::referee::packet::{BallReport, Status};
 
-/// Time without a message after which a player counts as silent, s: as in the `GameController`.
+/// Time without a message after which a player counts as silent, s, as in the `GameController`.
 const SILENT: f64 = 4.0;
 
 /// A player that has answered.
@@ -16,12 +16,12 @@ struct Player {
     is_silent: bool,
 }
 
-/// The players that have answered, by team and number.
+/// Players that have answered, by team and number.
 #[derive(Default)]
 pub(super) struct Players(BTreeMap<(u8, u8), Player>);
 
 impl Players {
-    /// Takes a message that arrived at a time, s; returns a line if the player did not answer before.
+    /// Stores a message that arrived at time `at`, s; returns a line if the player was unknown or silent before.
     pub(super) fn take(&mut self, status: Status, address: Ipv4Addr, at: f64) -> Option<String> {
         let key = (status.team, status.player);
         let before = self.0.insert(key, Player { status, address, at, is_silent: false });

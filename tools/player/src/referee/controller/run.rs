@@ -1,4 +1,4 @@
-//! The loop of `referee`.
+//! Loop of the command `referee`.
 
 use std::fs;
 use std::io;
@@ -16,10 +16,10 @@ use super::game::Game;
 use super::players::Players;
 use crate::referee::network::{drain, open};
 
-/// Time between two looks at commands and messages.
+/// Time between two polls of commands and messages.
 const BETWEEN: Duration = Duration::from_millis(10);
 
-/// Sends packets as the commands say, and shows who answers.
+/// Sends packets according to the commands, and prints the players that answer.
 pub(crate) fn run(args: &RefereeCommand) -> Result<Outcome, Failure> {
     let console = Console::new(false);
     let commands = Commands::open(args)?;
@@ -58,7 +58,7 @@ impl Network {
     }
 }
 
-/// Lines of the terminal or of a script.
+/// Source of the commands: the terminal or a script.
 enum Commands {
     Script(std::vec::IntoIter<Command>),
     Terminal(Receiver<String>),
@@ -68,7 +68,7 @@ impl Commands {
     fn open(args: &RefereeCommand) -> Result<Self, Failure> {
         let Some(path) = &args.script else {
             let (lines, terminal) = mpsc::channel();
-            // It ends with the program: a read of the terminal cannot be interrupted.
+            // The thread ends with the program, because a read of the terminal cannot be interrupted.
             thread::spawn(move || io::stdin().lines().map_while(Result::ok).try_for_each(|line| lines.send(line)));
             return Ok(Self::Terminal(terminal));
         };
@@ -82,7 +82,7 @@ impl Commands {
         Ok(Self::Script(commands.into_iter()))
     }
 
-    /// Returns the next command; `Err` with a message, and `Ok(None)` if there is none now.
+    /// Returns the next command; `Ok(None)` if there is none yet, `Err` with a message if the line is invalid.
     fn next(&mut self) -> Result<Option<Command>, String> {
         match self {
             Self::Script(commands) => Ok(Some(commands.next().unwrap_or(Command::Quit))),
@@ -101,12 +101,12 @@ struct Loop {
     players: Players,
     commands: Commands,
     network: Network,
-    /// Time at which the next command is read, s.
+    /// Time at which the next command may be read, s.
     wait: f64,
 }
 
 impl Loop {
-    /// Returns whether the loop goes on.
+    /// Runs one step; returns whether the loop continues.
     fn step(&mut self, now: f64) -> Result<bool, Failure> {
         while now >= self.wait {
             match self.commands.next() {
