@@ -1,4 +1,4 @@
-//! What an operator can do in a world: place the ball and the robot, push the robot, and move its limbs.
+//! Actions of an operator in a world: place the ball and the robot, push the robot, and move its limbs.
 
 use core::f32::consts::PI;
 
@@ -10,7 +10,7 @@ use crate::kinematic::KinematicWorld;
 use crate::limb_motions::{Limb, Motion};
 use crate::world::World;
 
-/// Makes the actions of a world.
+/// Generates the actions of a world.
 macro_rules! operated {
     ($world:ty) => {
         #[bica_macros::world_actions(crate = bica_core)]

@@ -1,4 +1,4 @@
-//! Faults of a robot's sensors and joints, given to any world by a tester.
+//! Faults of a robot's sensors and joints, which a test can add to any world.
 
 use core::fmt;
 use core::str::FromStr;
@@ -24,7 +24,7 @@ const NOISE: f32 = 90.0;
 /// Duration of a press of the chest button, s.
 const PRESS: f32 = 0.3;
 
-/// Fault of the camera.
+/// Fault of the camera's images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImageFault {
     /// It repeats its last image.
@@ -39,7 +39,7 @@ pub enum ImageFault {
     Drop,
 }
 
-/// A text that names no [`ImageFault`].
+/// Error: the text does not name an [`ImageFault`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnknownFault;
 
@@ -66,7 +66,7 @@ impl FromStr for ImageFault {
     }
 }
 
-/// Faults and their time.
+/// Faults and the time in which they are active.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Faults {
     /// Fault of the camera.
@@ -75,11 +75,11 @@ pub struct Faults {
     pub gyro: f32,
     /// Joint that stays at its angle.
     pub stuck: Option<Joint>,
-    /// Joint whose motor is hot, by its sensor.
+    /// Joint whose temperature sensor reports a hot motor.
     pub hot: Option<Joint>,
-    /// Time from which the faults hold, s.
+    /// Time from which the faults are active, s.
     pub from: f32,
-    /// Time until which they hold, s.
+    /// Time until which they are active, s.
     pub until: f32,
     /// Times at which the chest button is pressed, s.
     pub presses: [f32; 2],
@@ -101,13 +101,13 @@ pub struct FaultyWorld {
     /// The image of this cycle, and the last pixels.
     image: ImageMemory,
     pixels: Vec<u8>,
-    /// Cycle whose image was drawn.
+    /// Time of the cycle whose image was drawn.
     drawn: Option<Duration>,
     noise: Random,
 }
 
 impl FaultyWorld {
-    /// Gives faults to the robot of a world with images of a size. The seed is that of the noise.
+    /// Adds faults to a world with images of a size. The seed determines the noise.
     #[must_use]
     pub fn new(world: Box<dyn SpectatorView>, faults: Faults, frame: Frame, seed: u64) -> Self {
         let (width, height) = frame.size();
@@ -121,7 +121,7 @@ impl FaultyWorld {
     }
 }
 
-/// Changes the pixels of the last image, in YUYV 4:2:2, to those of a new one with a fault.
+/// Replaces the pixels of the last image, in YUYV 4:2:2, by those of a new image with a fault.
 fn draw(fault: ImageFault, last: &mut [u8], new: &[u8], noise: &mut Random) {
     if matches!(fault, ImageFault::Freeze | ImageFault::Drop) {
         return;

@@ -11,7 +11,8 @@ use crate::scene::{show_field, show_truth};
 use crate::spectator::SpectatorView;
 use crate::world::World;
 
-/// Implements the runner's trait by this crate's trait, for every robot with the sensors and the command of a humanoid.
+/// Implements the runner's trait on the basis of this crate's trait, for every robot with the sensors and the command
+/// of a humanoid.
 macro_rules! controlled {
     ($world:ty) => {
         impl<R> bica_runner::World<R> for $world

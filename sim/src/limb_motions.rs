@@ -1,4 +1,4 @@
-//! Motions of limbs that an operator asks for, in the place of what the robot's program commands.
+//! Motions of limbs that an operator requests, in place of the commands of the robot's program.
 
 use std::collections::VecDeque;
 
@@ -12,7 +12,7 @@ use crate::world::CYCLE_SECONDS;
 
 /// Number of joints of the largest limb.
 pub(crate) const LIMB_JOINTS: usize = 6;
-/// Number of motions of a limb that may wait.
+/// Maximum number of waiting motions of a limb.
 const MAX_MOTIONS: usize = 2000;
 
 /// A part of the body that is moved as one.
@@ -43,7 +43,7 @@ impl Limb {
     }
 }
 
-/// A motion of a limb from where it is.
+/// Motion of a limb from its current angles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Motion {
     /// Duration, s.
@@ -52,15 +52,15 @@ pub(crate) struct Motion {
     pub(crate) angles: [f32; LIMB_JOINTS],
     /// Stiffness, 0 to 1.
     pub(crate) stiffness: f32,
-    /// Whether the speed is even; else it is from rest to rest.
+    /// Whether the speed is constant; otherwise the limb starts and ends at rest.
     pub(crate) even: bool,
 }
 
-/// The motions of one limb.
+/// Queue of the motions of one limb.
 #[derive(Clone, Debug, Default)]
 struct Queue {
     waiting: VecDeque<Motion>,
-    /// Angles from which the first motion has begun, rad, and how long it lasts already, cycles.
+    /// Angles at which the first motion began, rad, and the number of cycles since then.
     begun: Option<([f32; LIMB_JOINTS], u32)>,
 }
 
@@ -71,7 +71,7 @@ impl Queue {
         let share = (cycle as f32 * CYCLE_SECONDS / motion.seconds).min(1.0);
         let eased = if motion.even { share } else { share * share * (3.0 - 2.0 * share) };
         self.begun = Some((from, cycle));
-        // Half a cycle: a sum of durations is not rounded up.
+        // Half a cycle of tolerance, so that a sum of durations is not rounded up.
         if (cycle as f32 + 0.5) * CYCLE_SECONDS > motion.seconds {
             self.waiting.pop_front();
             self.begun = (!self.waiting.is_empty()).then_some((motion.angles, 0));
@@ -81,12 +81,12 @@ impl Queue {
     }
 }
 
-/// The motions of all limbs. Limbs without one follow the command of the robot's program.
+/// Motions of all limbs. A limb without a motion follows the command of the robot's program.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LimbMotions([Queue; 5]);
 
 impl LimbMotions {
-    /// Adds a motion after those of the limb that wait.
+    /// Adds a motion after the waiting motions of the limb.
     pub(crate) fn add(&mut self, limb: Limb, motion: Motion) -> Result<(), &'static str> {
         let Queue { waiting, .. } = &mut self.0[limb as usize];
         if waiting.len() >= MAX_MOTIONS {

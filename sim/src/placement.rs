@@ -1,4 +1,4 @@
-//! Places at which a person can put something.
+//! Positions at which a person can place the ball or the robot.
 
 use bica_motion::model::simulation::SimulatedModel;
 use glam::Vec2;
@@ -7,7 +7,7 @@ use crate::field::{BALL_RADIUS, CORNER};
 use crate::obstacle::GOALS;
 use crate::referee::{Posture, Referee};
 
-/// Reasons why something cannot be put at a position.
+/// Reasons for which an object cannot be placed at a position.
 pub(crate) const OFF_FIELD: &str = "this is beyond the lines of the field";
 pub(crate) const IN_POST: &str = "a goal post is there";
 pub(crate) const IN_ROBOT: &str = "a robot is there";

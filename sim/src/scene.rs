@@ -1,4 +1,4 @@
-//! What monitors see of a world: the field, and the true state.
+//! Content of a world that monitors show: the field, and the true state.
 
 use bica_core::visual::{Circle, List, Point2, Polyline, Pose2, Rectangle, Scene, SceneItem, Segment};
 use bica_field::{FIELD, FieldDimensions, GoalColour};
@@ -13,10 +13,10 @@ const GRASS: [u8; 3] = [0x3d, 0x6e, 0x4e];
 const MARKING: [u8; 3] = [0xe4, 0xeb, 0xe6];
 const YELLOW: [u8; 3] = [0xf2, 0xc1, 0x1d];
 const SKY_BLUE: [u8; 3] = [0x4a, 0xa3, 0xff];
-/// Radius that shows another robot, m.
+/// Radius of the circle that represents another robot, m.
 const ROBOT: f32 = 0.15;
 
-/// Shows the carpet of a field with its markings.
+/// Shows the carpet of a field and its markings.
 pub fn show_field(field: &FieldDimensions, scene: &mut dyn Scene) {
     let rectangle =
         |x: f32, corner: Vec2| Rectangle { x, y: 0.0, heading: 0.0, length: 2.0 * corner.x, width: 2.0 * corner.y };
@@ -41,7 +41,7 @@ pub fn show_field(field: &FieldDimensions, scene: &mut dyn Scene) {
     scene.show(&marking("penalty marks"), &marks);
 }
 
-/// The corners of a rectangle, the first one again at the end.
+/// Corners of a rectangle; the first one is repeated at the end.
 fn corners(of: &Rectangle) -> [Point2; 5] {
     let (x, y) = (0.5 * of.length, 0.5 * of.width);
     let corners = [(x, y), (-x, y), (-x, -y), (x, -y), (x, y)];

@@ -1,6 +1,6 @@
 //! Ground truth of camera images, per pixel.
 
-/// What a pixel of a camera image shows.
+/// Object that a pixel of a camera image shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PixelLabel {
     /// Carpet, lines, floor, walls: everything behind the objects on the field.

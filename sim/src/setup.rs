@@ -70,7 +70,7 @@ impl Frame {
 impl FromStr for Frame {
     type Err = UnknownFrame;
 
-    /// Reads `WIDTHxHEIGHT`, for example `320x240`.
+    /// Parses `WIDTHxHEIGHT`, for example `320x240`.
     fn from_str(text: &str) -> Result<Self, UnknownFrame> {
         let known = text.split_once('x').and_then(|(width, height)| {
             let (width, height) = (width.parse().ok()?, height.parse().ok()?);
@@ -80,7 +80,7 @@ impl FromStr for Frame {
     }
 }
 
-/// A text that names no [`Frame`].
+/// Error: the text does not name a [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnknownFrame;
 

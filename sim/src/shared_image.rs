@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 pub struct SharedImage(Arc<Mutex<Option<Arc<Vec<u8>>>>>);
 
 impl SharedImage {
-    /// Returns the owner of these pixels, if they are the newest image of the world: the same memory, not equal values.
+    /// Returns the owner of these pixels if they are the newest image of the world. It compares addresses, not values.
     #[must_use]
     pub fn owner_of(&self, pixels: &[u8]) -> Option<Arc<Vec<u8>>> {
         self.lock().as_ref().filter(|owner| core::ptr::eq(owner.as_slice(), pixels)).cloned()
@@ -21,7 +21,7 @@ impl SharedImage {
     }
 }
 
-/// Memory for the images of a world: one image, and more while older ones are still shared.
+/// Memory for the images of a world: one image, and more as long as older ones are shared.
 #[derive(Clone, Debug)]
 pub(crate) struct ImageMemory {
     newest: Arc<Vec<u8>>,
@@ -35,7 +35,7 @@ impl ImageMemory {
         Self { newest: Arc::new(vec![0; bytes]), older: Vec::new(), shared: SharedImage::default() }
     }
 
-    /// Draws a new image over the bytes of an older one.
+    /// Draws a new image into memory that is not shared.
     pub(crate) fn draw(&mut self, draw: impl FnOnce(&mut [u8])) {
         *self.shared.lock() = None;
         if Arc::get_mut(&mut self.newest).is_none() {

@@ -22,7 +22,7 @@ const MAX_PUSH: f32 = 2.5;
 pub(crate) struct Pushes(Vec2);
 
 impl Pushes {
-    /// Adds a push, and returns the part of it that the limit allows; zero for values that are not finite.
+    /// Adds a push; returns the part that the limit allows, or zero for values that are not finite.
     pub(crate) fn add(&mut self, push: Vec2) -> Vec2 {
         let before = self.0;
         if push.is_finite() {
@@ -58,7 +58,7 @@ pub trait World {
     /// Executes a command for one control cycle ([`CYCLE`]).
     fn act(&mut self, command: &Command);
 
-    /// What an operator can do in this world between two cycles.
+    /// Actions that an operator can request between two cycles.
     fn actions(&mut self) -> &mut dyn Actions;
 
     /// Puts the ball at a position on the field, m, field frame, at rest, as a person does between two cycles. This
@@ -67,23 +67,23 @@ pub trait World {
     ///
     /// # Errors
     ///
-    /// If the position is beyond the lines of the field, as in a goal, or if a post or a robot is there; as text. The ball then
-    /// stays as it is.
+    /// If the position is beyond the lines of the field, for example in a goal, or if a post or a robot is there. The
+    /// error is a text. The ball then stays where it is.
     fn put_ball(&mut self, at: Vec2) -> Result<(), &'static str>;
 
     /// Puts the robot on its feet at a pose, field frame, at rest, as a person does between two cycles. It is not an event.
     ///
     /// # Errors
     ///
-    /// If the position is beyond the lines of the field, or if a post, another robot or the ball is there; as text. The robot then
-    /// stays where it is.
+    /// If the position is beyond the lines of the field, or if a post, another robot or the ball is there. The error is
+    /// a text. The robot then stays where it is.
     fn put_robot(&mut self, at: Pose2) -> Result<(), &'static str>;
 
-    /// Pushes the robot: adds `velocity`, m/s, field frame, to the velocity of its torso. The pushes of a cycle, as while a run is
-    /// paused, add up to 2.5 m/s at most. Values that are not finite are ignored.
+    /// Pushes the robot: adds `velocity`, m/s, field frame, to the velocity of its torso. The pushes of one cycle, for
+    /// example while a run is paused, add up to at most 2.5 m/s. Values that are not finite are ignored.
     fn add_velocity(&mut self, velocity: Vec2);
 
-    /// Why the world cannot continue, if it cannot: a run ends then. The kinematic world always can.
+    /// Reason why the world cannot continue; a run ends then. `None` if it can continue, always in the kinematic world.
     fn failure(&self) -> Option<&str> {
         None
     }

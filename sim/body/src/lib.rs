@@ -1,4 +1,4 @@
-//! The body of a simulated humanoid, without what surrounds it.
+//! Body of a simulated humanoid, without its surroundings.
 //!
 //! - [`sensor_model`]: resolution, range and noise of the body's sensors.
 //! - [`motor_heat`]: temperatures of the motors.

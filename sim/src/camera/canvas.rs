@@ -1,4 +1,4 @@
-//! A YCbCr canvas and convex polygons on it.
+//! YCbCr canvas for convex polygons.
 
 use glam::Vec2;
 

@@ -22,8 +22,8 @@ use glam::Vec2;
 use crate::setup::{Setup, SetupError};
 use crate::{SpectatorView, World};
 
-/// Makes the world of a NAO, with the velocity of the ball, m/s in the field frame. It is compiled and optimised with this crate, and
-/// not once more with each program.
+/// Creates the world of a NAO, with a velocity of the ball, m/s, field frame. The function is not generic, so it is
+/// compiled and optimised with this crate, and not again with each program.
 ///
 /// # Errors
 /// If the setup has no place for a robot or the ball, or the velocity is not finite.

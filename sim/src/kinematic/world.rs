@@ -45,7 +45,7 @@ pub struct KinematicWorld {
     renderer: Renderer,
     image: ImageMemory,
     image_is_new: bool,
-    /// What an operator moves.
+    /// Limb motions that an operator has requested.
     pub(crate) limbs: LimbMotions,
     pushes: Pushes,
 }

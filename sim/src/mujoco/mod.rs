@@ -47,10 +47,11 @@ use glam::Vec2;
 use crate::SpectatorView;
 use crate::setup::Setup;
 
-/// Makes the world of a NAO, with the velocity of the ball, m/s in the field frame. It is compiled and optimised with this crate.
+/// Creates the world of a NAO, with a velocity of the ball, m/s, field frame. The function is compiled and optimised
+/// with this crate.
 ///
 /// # Errors
-/// If the setup has no place for a robot or the ball, or MuJoCo refuses.
+/// If the setup has no place for a robot or the ball, or MuJoCo rejects the model.
 pub fn nao(setup: &Setup, velocity: Vec2) -> Result<Box<dyn SpectatorView>, Error> {
     let mut world = MujocoWorld::new(NAO, setup, &Physics::of(NAO))?;
     if velocity != Vec2::ZERO {

@@ -1,4 +1,4 @@
-//! A field and a robot that are drawn where another world says they are.
+//! Scene that draws a field and a robot at the poses of another world.
 
 use std::fmt::Write;
 
@@ -20,7 +20,7 @@ use crate::camera::light::Light;
 use crate::random::{Random, Stream};
 use crate::spectator::{Picture, RenderError, SpectatorCamera};
 
-/// Distance of the surface of a segment from its origin, m, for a robot that lies.
+/// Distance of the surface of a segment from its origin, m, for a robot on the ground.
 const SEGMENT_RADIUS: f32 = 0.06;
 /// Index of the lamps among the mocap bodies.
 const LAMP: usize = 0;
@@ -30,16 +30,16 @@ pub struct Stage {
     model: &'static SimulatedModel,
     robot: Humanoid,
     ball: FreeJoint,
-    /// Its radius, m.
+    /// Radius of the ball, m.
     ball_radius: f32,
     renderer: Renderer,
     size: (usize, usize),
 }
 
-/// What is drawn.
+/// Poses of the robot and the ball in a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Shown<'a> {
-    /// The point on the ground between the feet, field frame.
+    /// Pose of the ground between the feet, field frame.
     pub at: Pose2,
     /// Roll and pitch of the torso, rad.
     pub tilt: (f32, f32),
@@ -98,7 +98,7 @@ fn robot(model: &'static SimulatedModel, shown: &Shown<'_>) -> Affine3A {
     Affine3A::from_rotation_translation(turn * level, shown.at.position.extend(0.0) + above)
 }
 
-/// Writes the model: the robot of its file, a field, and a ball.
+/// Writes the model: the robot of its MJCF file, a field, and a ball.
 fn xml(of: &FieldDimensions) -> String {
     let mut xml = String::from("<mujoco model=\"stage\">\n<include file=\"robot.xml\"/>\n");
     scene::render_options(&mut xml);
@@ -123,7 +123,7 @@ mod tests {
 
     use super::*;
 
-    /// Middle of the pixels with the colour of the robot's team, pixels.
+    /// Centroid of the pixels with the colour of the robot's team, pixels.
     fn team(picture: &Picture) -> Vec2 {
         let blue = |rgb: &[u8; 3]| rgb[2] > 100 && rgb[0] < 60;
         let at = |i: usize| Vec2::new((i % picture.width) as f32, (i / picture.width) as f32);
@@ -143,7 +143,7 @@ mod tests {
         };
         let [middle, left, lying] = [draw(0.0, 0.0), draw(1.0, 0.0), draw(0.0, 1.5)];
         assert!((middle.x - 80.0).abs() < 3.0, "{middle}");
-        // A metre at a distance of 5 m, with 45° for the height of 120 pixels.
+        // One metre at a distance of 5 m, with 45° for the height of 120 pixels.
         assert!((middle.x - left.x - 29.0).abs() < 3.0, "{left}");
         assert!(lying.y > middle.y + 5.0, "{lying} below {middle}");
     }

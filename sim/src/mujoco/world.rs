@@ -42,7 +42,7 @@ pub struct MujocoWorld {
     /// Poses of both cameras in the previous cycle, field frame.
     previous_cameras: [Affine3A; 2],
     image_is_new: bool,
-    /// What an operator moves.
+    /// Limb motions that an operator has requested.
     pub(crate) limbs: LimbMotions,
     pushes: Pushes,
     rules: Rules,

@@ -71,7 +71,7 @@ impl Referee {
         self.robot
     }
 
-    /// Whether the robot stands or has fallen.
+    /// Returns whether the robot stands or has fallen.
     #[must_use]
     pub const fn posture(&self) -> Posture {
         self.posture

@@ -58,7 +58,7 @@ fn fall_goes_to_the_unbalanced_side() {
 
 #[test]
 fn robot_falls_after_fifteen_unbalanced_cycles() {
-    // The foot is lifted for one cycle more than this.
+    // The foot is lifted for one cycle more than `cycles`.
     for (cycles, falls) in [(13, 0), (14, 0), (15, 1), (16, 1)] {
         let mut world = world();
         let mut lifted = TOGETHER;

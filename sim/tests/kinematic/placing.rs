@@ -1,4 +1,4 @@
-//! A ball that a person places.
+//! Tests of objects that a person places.
 
 use bica_core::action::perform;
 use bica_motion::joints::Joint;
@@ -104,7 +104,7 @@ fn moved_limb_follows_operator_then_program() {
     assert!((world.sensors().angles[Joint::LShoulderPitch] - NAO.stand[Joint::LShoulderPitch]).abs() < 0.05);
     wait(&mut world, 150);
     assert!((pitch(&mut world) - stand).abs() < 0.05, "{}", pitch(&mut world));
-    // A robot that is placed forgets what waits.
+    // Placing the robot discards its waiting motions.
     perform(Some(World::actions(&mut world)), "move_limb", &up(1.0)).expect("an arm that moves");
     world.put_robot(Pose2::new(-1.0, 0.0, 0.0)).expect("a free place");
     wait(&mut world, 100);

@@ -1,4 +1,4 @@
-//! Balls that are put somewhere and kicked from outside, and shots at the own goal.
+//! Balls that are placed and kicked from outside, and shots at the own goal.
 
 use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;

@@ -20,7 +20,7 @@ mod support;
 #[path = "../../../tests/motion/tall.rs"]
 mod tall;
 
-/// Stands for the tests of this target in a build without the simulator, so that a report counts them as skipped.
+/// Placeholder for the tests of this target in a build without the simulator, so that a report counts them as skipped.
 #[cfg(not(feature = "mujoco"))]
 #[test]
 #[ignore = "needs the feature `mujoco`; `cargo xtask mujoco` installs its library"]

@@ -1,4 +1,4 @@
-//! A simulation that breaks ends with a reason, and never begins anew in silence.
+//! A simulation that breaks must end with a reason, and must never reset silently.
 
 use bica_motion::model::simulation::NAO;
 use bica_motion::robot::Command;

@@ -17,9 +17,9 @@ enum Owner {
     /// The robot without its feet.
     Body,
     Floor,
-    /// Contact type 8: what stands around, such as another robot.
+    /// Contact type 8: a static obstacle, such as another robot.
     Obstacle,
-    /// Contact type 16: what a foot moves.
+    /// Contact type 16: an object that a foot can move.
     Loose,
 }
 

@@ -11,7 +11,7 @@ use crate::transform::{fall_direction, ground_pose};
 const FALLEN_COSINE: f32 = 0.6;
 /// Vertical component of the torso axis above which the robot is upright: it leans by less than 20°.
 const UPRIGHT_COSINE: f32 = 0.94;
-/// Time that an upright robot needs to count as standing, cycles.
+/// Time for which the robot must be upright to count as standing, cycles.
 const STANDING_CYCLES: u32 = 50;
 
 /// State of the detection.
@@ -54,7 +54,7 @@ impl FallMonitor {
         Some(self.posture)
     }
 
-    /// Whether the robot stands or has fallen.
+    /// Returns whether the robot stands or has fallen.
     pub(crate) const fn posture(&self) -> Posture {
         self.posture
     }

@@ -77,7 +77,7 @@ impl Humanoid {
         }
     }
 
-    /// Why the simulation cannot continue: a value is not finite or impossible, or MuJoCo warns. Nothing moves any more.
+    /// Reason why the simulation cannot continue: a value is not finite or impossible, or MuJoCo warns. After that nothing moves.
     #[must_use]
     pub fn failure(&self) -> Option<&str> {
         self.failure.as_deref()
@@ -158,7 +158,7 @@ impl Humanoid {
         self.fall_monitor = FallMonitor::new(at.heading);
     }
 
-    /// Puts the robot frame to a pose, world frame, and the joints to angles, rad, to be drawn so. It changes positions only: neither
+    /// Sets the pose of the robot frame, world frame, and the joint angles, rad, for a picture. It changes neither
     /// velocities nor the commands of the motors.
     pub fn place(&mut self, robot: &Affine3A, angles: &Joints) {
         let (_, turn, at) = robot.to_scale_rotation_translation();
@@ -188,13 +188,13 @@ impl Humanoid {
         self.heat.set(joint, temperature);
     }
 
-    /// What the robot touched in the last control cycle.
+    /// Contacts of the robot in the last control cycle.
     #[must_use]
     pub const fn contacts(&self) -> &Contacts {
         &self.contacts
     }
 
-    /// Whether the robot stands or has fallen.
+    /// Returns whether the robot stands or has fallen.
     #[must_use]
     pub const fn posture(&self) -> Posture {
         self.fall_monitor.posture()
@@ -224,13 +224,13 @@ impl Humanoid {
         Skeleton::of(self.model, &self.angles())
     }
 
-    /// State of all that is simulated.
+    /// State of all simulated objects.
     #[must_use]
     pub const fn data(&self) -> &Data {
         &self.data
     }
 
-    /// State of all that is simulated, to move what is not the robot.
+    /// Mutable state of all simulated objects, to move objects other than the robot.
     pub const fn data_mut(&mut self) -> &mut Data {
         &mut self.data
     }

@@ -29,7 +29,7 @@ pub struct Model {
     pub(crate) feet: [usize; 2],
 }
 
-/// A joint with its motor.
+/// Joint with its motor.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Drive {
     pub(crate) joint: Joint,
@@ -37,7 +37,7 @@ pub(crate) struct Drive {
     pub(crate) position: usize,
     /// Address of the speed in the velocities.
     pub(crate) velocity: usize,
-    /// Velocity gain of the motor, Nm·s/rad; 0 if the joint's damping is not the motor's.
+    /// Velocity gain of the motor, Nm·s/rad; 0 if the damping of the joint is not that of the motor.
     pub(crate) velocity_gain: f32,
     /// Index of the motor among the actuators.
     pub(crate) actuator: usize,

@@ -17,7 +17,7 @@ type Setpoint = (Joints, Joints);
 
 /// All motors of a robot.
 pub(crate) struct Motors {
-    /// Setpoints within the dead time and the steps until they act, the oldest first.
+    /// Setpoints within the dead time, each with the number of steps until it acts, the oldest first.
     pending: VecDeque<(u32, Setpoint)>,
     acting: Setpoint,
     /// Dead time, steps of the physics.
@@ -67,8 +67,8 @@ impl Motors {
         self.gains[joint] = 0.0;
     }
 
-    /// Advances by one step of the physics. Returns the torques of all joints at these angles, Nm, without the `damping` torques of the
-    /// velocity gains, with which they stay within the limits.
+    /// Advances by one step of the physics. Returns the torques of all joints at these angles, Nm, without the
+    /// `damping` torques of the velocity gains. The sum of both stays within the limits.
     pub(crate) fn step(&mut self, angles: &Joints, damping: &Joints) -> Joints {
         while let Some((0, setpoint)) = self.pending.front() {
             self.acting = *setpoint;

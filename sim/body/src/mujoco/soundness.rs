@@ -1,11 +1,11 @@
-//! Whether the state of a simulation is still one of a body.
+//! Check that the state of a simulation is possible for a body.
 
 use super::state::Data;
 
-/// Largest speed of a part, m/s, or of a joint, rad/s, before a step: falls stay far below it, and MuJoCo does not warn up to it.
+/// Largest speed of a part, m/s, or of a joint, rad/s, before a step. Falls stay far below it, and MuJoCo does not warn below it.
 const MAX_SPEED: f64 = 200.0;
 
-/// Returns why the simulation cannot continue, if it cannot.
+/// Returns why the simulation cannot continue; `None` if it can.
 pub(super) fn check(data: &Data) -> Option<String> {
     let first = |name: &str, values: &[f64], most: f64| {
         let odd = values.iter().position(|value| value.is_nan() || value.abs() > most)?;

@@ -12,7 +12,7 @@ use mujoco_rs::prelude::{MjData, MjModel};
 use super::model::{Drive, FreeJoint};
 use super::sensor_model::IdealMeasurement;
 
-/// State of all that is simulated.
+/// State of all simulated objects.
 pub type Data = MjData<Box<MjModel>>;
 
 /// Sets the robot to its standing posture above a pose on the ground.

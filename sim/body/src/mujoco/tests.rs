@@ -1,4 +1,4 @@
-//! The MJCF file agrees with the robot model.
+//! The MJCF file must agree with the robot model.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{Segment, Skeleton, YawFrom, ankle, legs_angles};
@@ -18,7 +18,7 @@ fn built(model: &'static SimulatedModel) -> Model {
     Model::on_floor(model, &Physics::of(model)).unwrap()
 }
 
-/// Returns the model with the robot frame at the origin of the field and these angles.
+/// Returns the state of the model with the robot frame at the origin of the field and these angles.
 fn posed(model: Model, angles: &Joints) -> Data {
     let right = find(&model.physics, MjtObjBase::mjOBJ_JOINT, "RHipYawPitch").ok();
     let right = right.map(|joint| model.physics.jnt_qposadr()[joint] as usize);
@@ -55,7 +55,7 @@ fn vector(numbers: &[f64]) -> Vec3A {
     Vec3A::new(numbers[0] as f32, numbers[1] as f32, numbers[2] as f32)
 }
 
-/// A test of every robot model.
+/// Generates a test for every robot model.
 macro_rules! of_each_robot {
     ($($test:ident: $check:ident;)*) => {$(
         #[test]
@@ -158,7 +158,7 @@ fn no_load_speed_is_near_published_one() {
     let mut motors = Motors::holding(NAO, least, &physics);
     motors.command(NAO, &Command::new(most, 1.0));
     let torques = motors.step(&least, &Joints::all(0.0));
-    // The speed of the hands is between two values published for other models.
+    // The hands are excluded: their speed is between two values published for other models.
     for joint in Joint::ALL.into_iter().filter(|joint| !HANDS.contains(joint)) {
         let id = find(&model, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}")).unwrap();
         let at = model.jnt_dofadr()[id] as usize;

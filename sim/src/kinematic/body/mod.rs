@@ -31,7 +31,7 @@ const MAX_UNBALANCED: u32 = 15;
 const MIN_STIFFNESS: f32 = 0.05;
 /// Speed of a push from which on a standing robot falls, m/s (our estimate).
 const TOPPLING_SPEED: f32 = 0.5;
-/// Time for which a robot that is pushed slides with the velocity of the push, s (our estimate).
+/// Time for which a pushed robot slides with the velocity of the push, s (our estimate).
 const SLIDING: f32 = 0.1;
 /// Slip of a foot at touchdown: standard deviation along each axis, m.
 const SLIP_POSITION: f32 = 0.003;
@@ -214,7 +214,7 @@ impl Body {
         }
     }
 
-    /// Whether the robot stands or has fallen.
+    /// Returns whether the robot stands or has fallen.
     pub(crate) const fn posture(&self) -> Posture {
         match &self.state {
             State::Standing(..) => Posture::Upright,
@@ -237,7 +237,7 @@ impl Body {
         Some(Balance::new(self.model, self.soles(), stance.support(), mass))
     }
 
-    /// Counts cycles without balance and lets the robot fall after too many.
+    /// Counts cycles without balance; after too many the robot falls.
     fn check_balance(&mut self) -> Option<Event> {
         let lost_toward = self.balance().and_then(|balance| balance.offset_outside_support());
         let limp = self.legs_are_limp();
@@ -256,7 +256,7 @@ impl Body {
         Some(Event::Fall(fall))
     }
 
-    /// Whether a leg does not carry the robot because one of its pitch joints has too little stiffness.
+    /// Returns whether a leg does not carry the robot because one of its pitch joints has too little stiffness.
     fn legs_are_limp(&self) -> bool {
         Side::BOTH.iter().flat_map(|side| side.leg()[2..5].to_vec()).any(|joint| {
             let stiffness = self.motors.stiffness(joint);

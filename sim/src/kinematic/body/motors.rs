@@ -27,7 +27,7 @@ const MOVING: f32 = 0.6;
 #[derive(Clone, Debug)]
 pub(crate) struct Motors {
     angles: Joints,
-    /// Targets and stiffness of the dead time and of one cycle more, the oldest, which act, first.
+    /// Targets and stiffness of the dead time and one more cycle, the oldest first; the oldest ones act.
     waiting: VecDeque<(Joints, Joints)>,
     heat: MotorHeat,
 }

@@ -50,7 +50,7 @@ pub(crate) struct Scene {
     pub(crate) robot: PosedRobot,
 }
 
-/// Solids of one object, sorted as one by distance.
+/// Solids of one object; they are sorted by distance as one.
 #[derive(Clone, Debug)]
 struct Group {
     label: PixelLabel,

@@ -9,9 +9,9 @@ use glam::{Vec2, Vec3};
 
 /// Number of straight segments of the centre circle.
 const SEGMENTS: u32 = 48;
-/// Height of the lines above the carpet, m: enough for the depth buffer at a distance.
+/// Height of the lines above the carpet, m: sufficient for the depth buffer at a distance.
 const LINE_HEIGHT: f32 = 0.001;
-/// Half length and half width of the floor at least, and how far it goes beyond the carpet, m.
+/// Minimum half length and half width of the floor, and its margin around the carpet, m.
 const MIN_FLOOR: f32 = 12.0;
 const FLOOR_MARGIN: f32 = 5.0;
 /// Contact parameters of obstacles.
