@@ -43,7 +43,7 @@ impl Limb {
     }
 }
 
-/// Motion of a limb from its current angles.
+/// Motion of a limb to given angles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Motion {
     /// Duration, s.
