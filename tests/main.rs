@@ -1,4 +1,4 @@
-//! Tests in one program: it is linked once, and long tests run in parallel with all others.
+//! All tests in one program, so that it is linked once and long tests run in parallel with the others.
 
 mod forward;
 mod motion;

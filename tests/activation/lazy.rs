@@ -1,4 +1,4 @@
-//! Latent components do not run.
+//! Latent components must not run.
 
 use bica::prelude::*;
 use bica::runner::Observer;
@@ -22,7 +22,7 @@ impl Probe for Ran {
 
 impl Observer<Forward> for Ran {}
 
-/// Runs 300 cycles in which only this component is held active, and returns the components that ran.
+/// Runs 300 cycles in which an operator holds only this component active; returns the components that ran.
 fn ran_with(active: ComponentId) -> Ran {
     let mut game = new_game(&Setup { seed: 3, frame: Frame::Small, ..Setup::default() }).with_observer(Ran::default());
     game.robot_mut().hold::<Player>(Hold::Latent);

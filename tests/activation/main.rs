@@ -1,4 +1,4 @@
-//! Which components of the forward run. A program of its own, so that it is built soon after a change of a component.
+//! Tests which components of the forward run. A separate program, so that it is built quickly after a change of a component.
 
 #[path = "../forward/game.rs"]
 mod game;

@@ -1,4 +1,4 @@
-//! Searches the recorded images and exercises, and sets `cfg(shared_images)` and `cfg(shared_exercises)` if they exist.
+//! Looks for the recorded images and exercises, and sets `cfg(shared_images)` and `cfg(shared_exercises)` if they exist.
 
 use std::env;
 use std::path::PathBuf;
@@ -16,7 +16,7 @@ fn main() {
     }
     println!("cargo::rustc-env=BICA_IMAGES={}", images.display());
     if images.is_dir() {
-        // A missing path is not watched, because Cargo would rebuild the tests each time.
+        // A missing path is not watched, because Cargo would then rebuild the tests each time.
         println!("cargo::rerun-if-changed={}", images.join("labels.csv").display());
         println!("cargo::rustc-cfg=shared_images");
     }

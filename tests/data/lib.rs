@@ -1,4 +1,4 @@
-//! Recorded images for tests, and programs that tests run.
+//! Recorded images and exercises for tests, and helpers for tests that run programs.
 //!
 //! The images are not part of the repository. They are in `../shared/images` beside it, or in `$BICA_SHARED/images`. If
 //! they are missing, a test in [`images_test!`] is ignored, and the test harness counts and prints it:

@@ -1,4 +1,4 @@
-//! Programs that tests run, and folders for their files.
+//! Helpers for tests that run programs, and folders for their files.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
@@ -12,9 +12,9 @@ use serde_json::Value;
 pub struct Ran {
     /// Exit code; `None` after a signal.
     pub code: Option<i32>,
-    /// What it wrote to stdout.
+    /// Text that the program wrote to stdout.
     pub stdout: String,
-    /// What it wrote to stderr.
+    /// Text that the program wrote to stderr.
     pub stderr: String,
 }
 
@@ -22,7 +22,7 @@ impl Ran {
     /// Runs a program to its end, without input.
     ///
     /// # Panics
-    /// If it does not start, or its output is not UTF-8.
+    /// If the program does not start, or its output is not UTF-8.
     #[must_use]
     pub fn of(mut program: Command) -> Self {
         let Output { status, stdout, stderr } = program.stdin(Stdio::null()).output().expect("the program starts");
@@ -30,19 +30,19 @@ impl Ran {
         Self { code: status.code(), stdout: text(stdout), stderr: text(stderr) }
     }
 
-    /// Parses the output, which must be one JSON value.
+    /// Parses stdout, which must be one JSON value.
     ///
     /// # Panics
-    /// If it is none.
+    /// If it is not.
     #[must_use]
     pub fn json(&self) -> Value {
         serde_json::from_str(&self.stdout).unwrap_or_else(|error| panic!("{error} in:\n{}{}", self.stdout, self.stderr))
     }
 
-    /// Parses the output, which must be a JSON value in each line.
+    /// Parses stdout, in which each line must be a JSON value.
     ///
     /// # Panics
-    /// If a line is none.
+    /// If a line is not.
     #[must_use]
     pub fn lines(&self) -> Vec<Value> {
         self.stdout.lines().map(|line| serde_json::from_str(line).expect("a line of JSON")).collect()
@@ -60,11 +60,11 @@ impl Ran {
     }
 }
 
-/// A program that serves monitors; it ends when this is dropped.
+/// Program that serves monitors. Dropping the value ends it.
 pub struct Served {
     /// The process.
     pub child: Child,
-    /// Its output after the line with the address.
+    /// Output of the program after the line with the address.
     pub stdout: BufReader<ChildStdout>,
     /// Address at which monitors attach.
     pub address: String,
@@ -74,7 +74,7 @@ impl Served {
     /// Starts a program, and waits for its address.
     ///
     /// # Panics
-    /// If it ends before it has printed an address.
+    /// If the program ends before it has printed an address.
     #[must_use]
     pub fn start(mut program: Command) -> Self {
         let mut child = program.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().expect("the program starts");
@@ -92,17 +92,17 @@ impl Drop for Served {
     }
 }
 
-/// Empty folder of a test, removed at its end.
+/// Empty folder of a test; it is removed when the value is dropped.
 pub struct Folder(
-    /// Its path.
+    /// Path of the folder.
     pub PathBuf,
 );
 
 impl Folder {
-    /// Makes a folder whose name contains `name`.
+    /// Creates a folder whose name contains `name`.
     ///
     /// # Panics
-    /// If it cannot be made.
+    /// If the folder cannot be created.
     #[must_use]
     pub fn new(name: &str) -> Self {
         static COUNT: AtomicU32 = AtomicU32::new(0);
@@ -113,34 +113,34 @@ impl Folder {
         Self(path)
     }
 
-    /// Its path.
+    /// Path of the folder.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.0
     }
 
-    /// Its path as text.
+    /// Path of the folder, as text.
     ///
     /// # Panics
-    /// If it is not UTF-8.
+    /// If the path is not UTF-8.
     #[must_use]
     pub fn text(&self) -> &str {
         self.0.to_str().expect("UTF-8")
     }
 
-    /// Path of a file in it.
+    /// Path of a file in the folder.
     ///
     /// # Panics
-    /// If it is not UTF-8.
+    /// If the path is not UTF-8.
     #[must_use]
     pub fn file(&self, name: &str) -> String {
         self.0.join(name).into_os_string().into_string().expect("UTF-8")
     }
 
-    /// Names of its files, sorted.
+    /// Names of the files in the folder, sorted.
     ///
     /// # Panics
-    /// If it cannot be read.
+    /// If the folder cannot be read, or a name is not UTF-8.
     #[must_use]
     pub fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.0).expect("a folder").map(|entry| entry.expect("an entry").file_name());

@@ -1,4 +1,4 @@
-//! A robot that does not see does not walk, and says why.
+//! A robot without usable images must not walk, and must report the fault.
 
 use bica::prelude::*;
 use bica::runner::harness::{Harness, InWorld};
@@ -26,7 +26,7 @@ fn start(faults: Faults) -> Test {
     Harness::of_box(robot).in_world(world)
 }
 
-/// A game in which the robot walks to the ball, when the fault begins.
+/// Returns a game in which the robot walks to the ball when the fault begins.
 fn approaching(faults: Faults) -> Test {
     let mut test = start(faults);
     test.until("the fault begins", Duration::from_secs(20), |test| test.now() >= Instant::from_millis(7000));
@@ -34,7 +34,7 @@ fn approaching(faults: Faults) -> Test {
     test
 }
 
-/// True distance, m, that the robot walks in some seconds.
+/// True distance that the robot walks in some seconds, m.
 fn walked(test: &mut Test, seconds: u64) -> f32 {
     let mut before = test.world().referee().robot().position;
     let mut way = 0.0;

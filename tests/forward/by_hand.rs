@@ -1,4 +1,4 @@
-//! Components that an operator holds active and modulates, while the root is latent.
+//! Tests of components that an operator holds active and modulates, while the root is latent.
 
 use bica::Value;
 use bica::prelude::*;
@@ -15,7 +15,7 @@ use glam::Vec2;
 
 use crate::forward::game::{Game, new_game};
 
-/// A game in which an operator holds the root latent.
+/// Game in which an operator holds the root latent.
 struct ByHand(Game);
 
 impl ByHand {
@@ -32,7 +32,7 @@ impl ByHand {
         self.0.robot_mut().hold::<C>(hold);
     }
 
-    /// Calls a modulation by the name that an operator sees.
+    /// Calls a modulation by the name that operators use.
     fn modulate<C: 'static>(&mut self, name: &str, arguments: &[Value])
     where
         Forward: Has<C>,
@@ -55,7 +55,7 @@ impl ByHand {
         self.0.world().referee().robot()
     }
 
-    /// Motion over the ground in these seconds, in the robot's frame at their beginning.
+    /// Motion over the ground in some seconds, in the robot's frame at their start.
     fn motion(&mut self, seconds: f32) -> Pose2 {
         let before = self.pose();
         self.run(seconds);

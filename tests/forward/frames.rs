@@ -8,7 +8,7 @@ fn outputs() -> impl Iterator<Item = &'static Info> {
     Forward::GRAPH.nodes.iter().flat_map(|node| node.info)
 }
 
-/// The frame in which this one has its place.
+/// Returns the parent frame of a frame.
 fn parent(frame: &str) -> Option<&'static str> {
     let mut places = outputs().filter_map(|info| info.placement).filter(|place| place.child == Some(frame));
     places.next().map(|place| place.frame)

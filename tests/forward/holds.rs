@@ -1,4 +1,4 @@
-//! Holds of any component, which begin in the middle of a step.
+//! Holds of any component that begin in the middle of a step.
 
 use bica::prelude::*;
 use bica::runner::Request;
@@ -12,7 +12,7 @@ use crate::forward::game::{Game, new_game};
 
 /// Cycles of a hold: 5 s.
 const HELD: usize = 500;
-/// Most cycles from the release to the goal.
+/// Maximum number of cycles from the release to the goal.
 const TO_GOAL: usize = 12_000;
 
 /// Runs until the robot has stood on one foot for some cycles.
@@ -26,7 +26,7 @@ fn run_into_a_step(game: &mut Game, cycles: usize) {
     }
 }
 
-/// Plays with a hold; returns what is wrong with the robot at the end.
+/// Plays a game with a hold; returns the failure at the end, if any.
 fn play(component: ComponentId, hold: Hold) -> Option<String> {
     let mut game = new_game(&Setup { seed: 11, frame: Frame::Small, goalkeeper: false, ..Setup::default() });
     run_into_a_step(&mut game, 3 + component.index() % 6);

@@ -1,4 +1,4 @@
-//! A robot with a hot motor sits down until the motor has cooled; games do not overheat a motor.
+//! A robot with a hot motor must sit until the motor has cooled; games must not overheat a motor.
 
 use bica_motion::health::Fault;
 use bica_motion::joints::{Joint, Joints};
@@ -54,7 +54,7 @@ fn slow_hot_robot_scores_after_cooling() {
     play(&mut game, 300);
     assert_eq!(game.robot().get::<HealthMonitor>().fault(), None);
     assert!(!game.robot().is_active::<SafetyGuard>(), "the robot plays");
-    // It may score again later.
+    // The robot may score again later.
     for _ in 0..6000 {
         if game.world().referee().goals() > 0 {
             break;

@@ -1,4 +1,4 @@
-//! A cycle of the forward does not allocate memory.
+//! A cycle of the forward must not allocate memory.
 
 use bica::runner::{Runner, World};
 use bica_player::Forward;

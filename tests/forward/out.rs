@@ -1,4 +1,4 @@
-//! The chest button and an operator's stop take the robot out of the game and back into it.
+//! The chest button and an operator's stop must take the robot out of the game and back into it.
 
 use bica::prelude::*;
 use bica::runner::World;
@@ -14,7 +14,7 @@ use glam::Vec2;
 
 use crate::forward::game::new_game;
 
-/// The kinematic world with a hand on the chest button.
+/// Kinematic world with a chest button that the test presses.
 struct WithButton {
     world: KinematicWorld,
     pressed: bool,
@@ -88,7 +88,8 @@ fn slow_chest_button_stops_and_continues_the_game() {
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_stop_ends_the_game_in_a_fifth_of_a_second() {
-    // While the robot searches, walks, searches the goal, and lines up. A kick ends first.
+    // The stop comes while the robot searches the ball, walks, searches the goal, and lines up. A kick ends before the
+    // stop takes effect.
     for after in [50, 400, 550, 900] {
         let mut test = start();
         test.cycles(after);

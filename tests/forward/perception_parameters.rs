@@ -1,4 +1,4 @@
-//! Each parameter of perception and input changes what the forward perceives.
+//! Each parameter of perception and input must change the results of the perception.
 
 use std::f32::consts::PI;
 use std::fmt::Debug;
@@ -28,7 +28,7 @@ use glam::{Vec2, Vec3};
 
 /// Sensor values of one cycle.
 struct Cycle {
-    /// Without the image.
+    /// All values except the image.
     sensors: Sensors<'static>,
     image: Option<(CameraId, u16, u16, Vec<u8>)>,
 }
@@ -52,7 +52,7 @@ impl Cycle {
     }
 }
 
-/// The forward with all of its perception active.
+/// Returns a forward with all components of perception active.
 fn forward(attacks: GoalColour) -> Box<Forward> {
     let mut robot = Box::new(Forward::new());
     robot.hold::<BallDetector>(Hold::Active);
@@ -63,8 +63,8 @@ fn forward(attacks: GoalColour) -> Box<Forward> {
     robot
 }
 
-/// Sensor values of a game; then of views from many places; then of a robot in the air with a hot motor; then of falls to all
-/// sides.
+/// Sensor values of a game, then of views from many places, then of a robot in the air with a hot motor, then of falls
+/// in all directions.
 struct Recording {
     attacks: GoalColour,
     cycles: Vec<Cycle>,
@@ -76,7 +76,7 @@ impl Recording {
         let attacks = world.referee().attacks();
         let mut recording = Self { attacks, cycles: Vec::new() };
         recording.play(world);
-        // A goal that disappears, and a robot.
+        // A goal that disappears, and another robot.
         recording.look(self::world(0, Pose2::ORIGIN, Vec2::new(1.9, 0.0)), 0.0, 60);
         recording.look(world_without(Pose2::new(0.0, 0.0, PI)), 0.0, 90);
         let place = Pose2::new(0.08, -0.69, 0.0);
@@ -120,7 +120,7 @@ impl Recording {
         Sensors { image: None, ..self.cycles.last().expect("a game before").sensors }
     }
 
-    /// The robot turns without images.
+    /// Adds cycles in which the robot turns without images.
     fn turn(&mut self) {
         let mut sensors = self.last();
         sensors.inertial.gyro.z = 1.0;
@@ -134,7 +134,7 @@ impl Recording {
         self.cycles.extend((0..450).map(|_| Cycle { sensors, image: None }));
     }
 
-    /// The robot stands, tilts, lies, and gets up slowly.
+    /// Adds cycles in which the robot stands, tilts, lies, and gets up slowly.
     fn fall(&mut self, direction: Direction) {
         let (roll, pitch) = match direction {
             Direction::Front => (0.0, 0.7),
@@ -151,7 +151,7 @@ impl Recording {
         }
     }
 
-    /// What a forward perceives in each cycle.
+    /// Runs a forward on the recording; returns a hash of its perception in each cycle.
     fn run<'a>(&'a self, robot: &'a mut Forward) -> impl Iterator<Item = u64> + 'a {
         self.cycles.iter().enumerate().map(|(number, cycle)| {
             robot.sense(&cycle.sensors()).expect("the image fits");
@@ -176,7 +176,7 @@ fn add(hash: &mut DefaultHasher, value: &dyn Debug) {
     format!("{value:?}").hash(hash);
 }
 
-/// What the forward perceives, as a number.
+/// Hash of the forward's perception.
 fn perceived(robot: &Forward, cycle: usize) -> u64 {
     let mut hash = DefaultHasher::new();
     let ball = robot.get::<BallDetector>();
@@ -198,7 +198,7 @@ fn perceived(robot: &Forward, cycle: usize) -> u64 {
     hash.finish()
 }
 
-/// The components of perception and input.
+/// Components of perception and input.
 fn components() -> [ComponentId; 16] {
     [
         Forward::id::<BallDetector>(),
@@ -220,7 +220,7 @@ fn components() -> [ComponentId; 16] {
     ]
 }
 
-/// Counts values.
+/// Counter of values.
 struct Count(usize);
 
 impl InfoSink for Count {
@@ -242,7 +242,8 @@ fn each_component_of_perception_has_outputs() {
     }
 }
 
-/// Values that may differ enough from the default to have an effect: both ends of the range, then nearer ones.
+/// Values that may differ enough from the default to have an effect: both ends of the range first, then values nearer
+/// to the default.
 fn candidates(param: &Param) -> Vec<Value> {
     let between = |min: f64, max: f64, default: f64| {
         [1.0, 0.5, 0.1, 0.02].into_iter().flat_map(move |part| [min, max].map(|end| default + part * (end - default)))
@@ -274,7 +275,7 @@ fn slow_each_parameter_of_perception_has_an_effect() {
             is_valid && !recording.run(&mut robot).eq(usual.iter().copied())
         })
     };
-    // These need objects at the limits, which the unit tests of detectors and memories have.
+    // These parameters need objects at their limits, which the unit tests of detectors and memories cover.
     let exempt = [
         "BallDetector.max_own_share",
         "GoalDetector.max_post_width",

@@ -1,4 +1,4 @@
-//! Equal inputs give equal outputs, bit for bit.
+//! Equal inputs must give equal outputs, bit for bit.
 
 use bica_sim::World as _;
 use bica_sim::setup::{Frame, Setup};

@@ -1,4 +1,4 @@
-//! A ball that is not found in a full turn is searched for from another place.
+//! If a full turn does not show the ball, the robot must search from another place.
 
 use bica::Value;
 use bica::prelude::*;
@@ -17,7 +17,7 @@ fn slow_search_moves_on_after_a_full_turn() {
         let setup = Setup { seed, frame: Frame::Small, robots: 4, ..Setup::default() };
         let world = KinematicWorld::new(NAO, &setup).expect("the setup is valid");
         let mut robot = Box::new(Forward::new());
-        // The detector looks, and never confirms the ball.
+        // The detector runs but never confirms the ball.
         let (most, none) = (Value::U32(30), Value::F32(1.0));
         for (name, value) in [("confirmations", most), ("min_confidence", none), ("min_confidence_if_small", none)] {
             let setting = Forward::setting("BallDetector", name, value).expect("a parameter");
@@ -28,7 +28,7 @@ fn slow_search_moves_on_after_a_full_turn() {
         for _ in 0..places {
             let before = place(&test);
             test.reaches::<SearchBall>("walk_on", Duration::from_secs(50));
-            // A place is up to 3.2 m away, at 0.2 m/s.
+            // The next place is up to 3.2 m away; the robot walks at 0.2 m/s.
             test.reaches::<SearchBall>("scan", Duration::from_secs(20));
             let after = place(&test);
             assert!(after.distance(before) > 0.25, "seed {seed}: from {before} to {after}");

@@ -32,7 +32,7 @@ fn params(component: ComponentId) -> impl Iterator<Item = (u16, &'static Param)>
     (0..).zip(groups.iter().flat_map(|group| group.params))
 }
 
-/// A setting by the name that a person sees, such as `Head.stiffness`.
+/// Returns a setting by the name that users see, such as `Head.stiffness`.
 fn setting(name: &str, value: f32) -> Setting {
     let (component, param) = name.split_once('.').expect("a component and a parameter");
     let real = Forward::setting(component, param, Value::F32(value)).unwrap_or_else(|refusal| panic!("{refusal}"));
@@ -80,7 +80,7 @@ fn slow_a_changed_parameter_changes_the_game() {
     }
 }
 
-/// The value at a share of the range, 0 to 1; `None` for kinds without a range.
+/// Value at a fraction of the range, 0 to 1; `None` for kinds without a range.
 fn at(kind: &Kind, share: f32) -> Option<Value> {
     match *kind {
         Kind::F32 { min, max, .. } => Some(Value::F32((min + share * (max - min)).clamp(min, max))),
@@ -105,7 +105,7 @@ proptest! {
             let value = |(index, param): (u16, &Param)| {
                 at(&param.kind, shares.next()?).map(|value| Setting::new(component, index, value))
             };
-            // Values in the wrong order are refused; one by one, most are accepted.
+            // A batch with values in the wrong order is refused; one by one, most values are accepted.
             for setting in params(component).filter_map(value) {
                 applied += u32::from(game.robot_mut().set_params(&[setting]).is_ok());
             }

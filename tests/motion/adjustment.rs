@@ -1,4 +1,4 @@
-//! Adjustments of a gait.
+//! Tests of gait adjustments.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics;
@@ -13,13 +13,13 @@ use crate::motion::world::CYCLE;
 const GAIT: &Parameters = &NAO.dynamic_profile.gait;
 const FORWARD: Velocity = Velocity::new(9.0, 0.0, 0.0);
 
-/// Both feet bear the same weight; the torso pitches at this rate, rad/s.
+/// Feedback with the same weight on both feet and a pitch rate of the torso, rad/s.
 fn feedback(pitch_rate: f32) -> Feedback {
     let foot = FootPressure { front_left: 26.0, ..FootPressure::default() };
     Feedback { gyro: Vec3::new(0.0, pitch_rate, 0.0), left_foot: foot, right_foot: foot, ..Feedback::default() }
 }
 
-/// Walk after some cycles, and all targets.
+/// Returns the walk after 300 cycles, and the targets of all cycles.
 fn walked(adjustment: Adjustment, request: Velocity, pitch_rate: f32) -> (Walk, Vec<Joints>) {
     let mut walk = Walk::new(NAO, GAIT);
     walk.set_adjustment(adjustment);
@@ -27,7 +27,7 @@ fn walked(adjustment: Adjustment, request: Velocity, pitch_rate: f32) -> (Walk, 
     (walk, targets)
 }
 
-/// Largest height of one sole over the other, m.
+/// Largest height difference of the two soles, m.
 fn swing_height(targets: &[Joints]) -> f32 {
     let height = |targets: &Joints| {
         let [left, right] = Side::BOTH.map(|side| kinematics::sole(NAO, side, targets).translation.z);
@@ -40,7 +40,7 @@ fn swing_height(targets: &[Joints]) -> f32 {
 fn speed_limit_scales_both_directions() {
     for speed_limit in [0.5, 1.0, 1.2] {
         let (walk, _) = walked(Adjustment { speed_limit, ..Adjustment::NONE }, FORWARD, 0.0);
-        // The planned velocity, with which the body moves at the limit.
+        // Planned velocity at the limit, with which the body moves.
         let limit = GAIT.max_velocity.forward * speed_limit;
         let expected = GAIT.velocity_scale.forward * (limit - GAIT.velocity_drift.forward);
         assert!((walk.velocity().forward - expected).abs() < 1e-3, "{speed_limit}: {:?}", walk.velocity());
@@ -68,7 +68,7 @@ fn step_height_scales_the_swing_foot() {
 fn the_lean_turns_both_hips_and_no_other_joint() {
     for request in [Velocity::ZERO, FORWARD] {
         let lean = 0.05;
-        // The same capture-point error: the torso is tilted as far as it leans.
+        // The capture-point error is the same, because the torso is tilted by its lean.
         let mut tilted = feedback(0.0);
         tilted.pitch = lean;
         let (mut plain, mut leaning) = (Walk::new(NAO, GAIT), Walk::new(NAO, GAIT));

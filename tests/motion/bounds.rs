@@ -1,4 +1,4 @@
-//! Clamping without a panic.
+//! Clamping must not panic.
 
 use bica_motion::bounds::clamp;
 

@@ -10,8 +10,8 @@ use crate::motion::world::{CYCLE, World};
 
 const GAIT: &Parameters = &NAO.kinematic_profile.gait;
 
-/// A forward walk with a kick request after 1.5 s: maximum forward position of each sole relative to the hips, m, before and
-/// after the request, and the number of kick steps.
+/// Walks forward with a kick request after 1.5 s. Returns the maximum forward position of each sole relative to the
+/// hips, m, before and after the request, and the number of kick steps.
 fn walk_and_kick(speed: f32, foot: Side) -> ([[f32; 2]; 2], u32) {
     let (mut walk, mut world) = (Walk::new(NAO, GAIT), World::standing(NAO, GAIT.stand(NAO).joints(NAO)));
     let (mut farthest, mut kicks, mut before) = ([[0.0_f32; 2]; 2], 0, GAIT.stand(NAO).joints(NAO));

@@ -1,4 +1,4 @@
-//! Falling, lying, getting up.
+//! Tests of falling, lying and getting up.
 
 use core::ops::RangeInclusive;
 
@@ -16,7 +16,7 @@ use glam::{Quat, Vec3};
 
 use crate::motion::world::{CYCLE, World};
 
-/// Reading of the inertial unit when the torso is rotated by `tilt`.
+/// Reading of the inertial unit of a torso with the rotation `tilt`.
 fn tilted(tilt: Quat) -> Inertial {
     let up = tilt.inverse() * Vec3::Z;
     let (y, z, x) = (tilt * Vec3::Y, tilt * Vec3::Z, tilt * Vec3::X);

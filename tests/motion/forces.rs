@@ -19,7 +19,7 @@ fn force(newtons: f32) -> FootPressure {
     FootPressure { front_left: newtons, ..FootPressure::default() }
 }
 
-/// Equal force on both feet.
+/// Feedback with equal force on both feet.
 fn level() -> Feedback {
     Feedback { left_foot: force(26.0), right_foot: force(26.0), ..Feedback::default() }
 }
@@ -148,7 +148,7 @@ fn dynamic_kicks_keep_limits_and_return() {
     }
 }
 
-/// Targets of both legs at the end of their support, when the knee of the support leg sags by `sag` rad.
+/// Targets of both legs at the end of their support, if the knee of the support leg sags by `sag` rad.
 fn at_support_end(sag: f32) -> [LegAngles; 2] {
     let mut walk = Walk::new(NAO, &PROFILE.gait);
     let mut commanded = VecDeque::from(vec![PROFILE.gait.stand(NAO).joints(NAO); 4]);
@@ -173,7 +173,7 @@ fn at_support_end(sag: f32) -> [LegAngles; 2] {
     carried
 }
 
-/// All force on one foot.
+/// Feedback with all force on one foot.
 fn alone(side: Side) -> Feedback {
     let [left_foot, right_foot] = Side::BOTH.map(|foot| force(if foot == side { 52.0 } else { 0.0 }));
     Feedback { left_foot, right_foot, ..Feedback::default() }

@@ -19,7 +19,7 @@ fn the_pitch_range_at_each_yaw_is_the_published_one() {
         (-62.45, -24.64, 17.19),
         (87.49, -18.91, 11.46),
         (119.52, -25.73, 18.91),
-        // Halfway between two of them.
+        // Halfway between two rows of the table.
         (35.585, -34.95, 22.69),
     ] {
         let range = pitch_range(NAO, f32::to_radians(yaw));

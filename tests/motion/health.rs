@@ -245,7 +245,7 @@ fn stiffness_falls_with_temperature_and_load() {
     assert!(pushing[0] > 0.999 && pushing[1] < 1.0 && pushing[2] < pushing[1], "{pushing:?}");
 }
 
-/// Fault after images that are drawn from their number, 16×12 pixels.
+/// Fault after some images of 16×12 pixels, whose luma is a function of the image number and the position.
 fn seen(images: u16, luma: impl Fn(u16, usize) -> u8) -> Option<Fault> {
     let mut senses = Senses::new();
     for image in 0..images {
@@ -302,7 +302,7 @@ fn gyroscope_offset_at_rest_is_a_fault() {
 
 #[test]
 fn an_offset_is_found_in_a_walk_within_5_s() {
-    // Turn rates of the legs, and the share by which the torso turns further.
+    // Time until a fault is found, for a turn rate of the legs, a relative additional turn of the torso (`slip`), and an offset.
     let seconds = |legs: f32, slip: f32, offset: f32| {
         let mut senses = Senses::new();
         let cycle = (0_u16..1000).find(|&cycle| {

@@ -9,7 +9,7 @@ use glam::{Affine3A, Mat3A, Vec3};
 use proptest::prelude::*;
 use std::f32::consts::{FRAC_PI_2, PI};
 
-/// Poses by 4×4 matrices in f64, written down from the joint tables and not from the code under test.
+/// Poses computed with 4×4 matrices in f64, from the joint tables and independent of the tested code.
 mod reference {
     use bica_motion::joints::{Joint, Joints};
     use bica_motion::side::Side;
@@ -114,7 +114,7 @@ pub(crate) fn any_angles(model: &'static RobotModel) -> impl Strategy<Value = Jo
     })
 }
 
-/// Any angles within the limits with knees that do not bend backwards, which the inverse kinematics can return.
+/// Random angles within the limits whose knees do not bend backwards, so that the inverse kinematics can return them.
 fn any_bent_angles() -> impl Strategy<Value = Joints> {
     any_angles(NAO).prop_map(|mut angles| {
         for joint in [Joint::LKneePitch, Joint::RKneePitch] {
@@ -124,7 +124,7 @@ fn any_bent_angles() -> impl Strategy<Value = Joints> {
     })
 }
 
-/// Distance of a hip from the roll axis of its foot, m. On the axis the yaw-pitch is not unique.
+/// Distance of a hip from the roll axis of its foot, m. On the axis, the yaw-pitch angle is not unique.
 fn off_roll_axis(side: Side, foot: &Affine3A) -> f32 {
     let hip = foot.inverse().transform_point3(Vec3::new(0.0, side.sign() * 0.05, 0.0));
     hip.y.hypot(hip.z)
@@ -201,7 +201,8 @@ fn the_centre_of_mass_is_the_published_one() {
 
 #[test]
 fn camera_poses_are_the_published_ones() {
-    // Height over the ground, then pixel and the ground point seen there, robot frame (B-Human and HULKs' intrinsics).
+    // Height of the camera above the ground, m; pixel, and the ground point that it shows, m, robot frame (intrinsics
+    // of B-Human and HULKs).
     let (f, centre) = ((618.66, 617.16), (320.0, 240.0));
     let table = [
         (CameraId::Top, 0.505_14, (320.0, 240.0), (24.174, 0.0)),

@@ -1,4 +1,4 @@
-//! Sensor values and commands as messages.
+//! Sensor values and commands encoded as messages.
 
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::robot::{
@@ -33,7 +33,7 @@ fn sensors_are_unchanged_by_a_round_trip() {
     let sensors = sensors(&yuyv);
     let message = encode(&sensors, Vec::new(), |_, bytes| blobs.extend_from_slice(bytes)).expect("encodable");
     let restored: Sensors<'_> = decode(&message, &blobs).expect("intact");
-    // As text, because a NaN is not equal to itself.
+    // Compared as text, because a NaN does not equal itself.
     assert_eq!(format!("{restored:?}"), format!("{sensors:?}"));
     for lost in [&blobs[..255], &[]] {
         let restored: Sensors<'_> = decode(&message, lost).expect("intact but for the image");

@@ -209,7 +209,7 @@ fn fault(model: &'static RobotModel, temperature: f32) -> Option<Fault> {
     let mut temperatures = Joints::all(40.0);
     temperatures[Joint::LKneePitch] = temperature;
     for cycle in 0..300_u16 {
-        // It neither repeats a value nor turns.
+        // The gyroscope neither repeats a value nor measures a turn.
         let gyro = Vec3::splat(if cycle % 2 == 0 { 0.01 } else { -0.01 });
         let inertial = Inertial { gyro, acceleration: Vec3::Z, ..Inertial::default() };
         let sensors = Sensors {

@@ -1,4 +1,4 @@
-//! Odometry against the true motion in the quasi-static world.
+//! Odometry compared with the true motion in the quasi-static world.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::NAO;
@@ -76,19 +76,19 @@ fn lifted_feet_and_invalid_inputs_give_no_motion() {
     assert_eq!(odometry.pose(), Pose2::new(0.0, 0.0, 0.05), "the turn is that of the gyroscope");
 }
 
-/// Posture in a cycle of a motion in which the hips move forward over the left foot; the right one is lifted.
+/// Posture in one cycle of a motion: the hips move forward over the left foot, and the right foot is lifted.
 fn leaning(cycle: usize) -> Joints {
     let mut angles = NAO.stand;
     angles[Joint::RKneePitch] += 0.3;
     for joint in [Joint::LAnklePitch, Joint::RAnklePitch] {
         angles[joint] -= 0.01 * cycle as f32;
     }
-    // One foot goes with the hips, so that the ground between the feet moves, too.
+    // The right foot moves with the hips, so that the ground between the feet moves, too.
     angles[Joint::RHipPitch] -= 0.01 * cycle as f32;
     angles
 }
 
-/// Forward displacement of the ground frame in 20 cycles of motion, after 20 cycles at rest, m.
+/// Forward displacement of the ground frame, m, in 20 cycles of motion after 20 cycles at rest.
 fn way(commanded: impl Fn(usize) -> Option<Joints>, is: impl Fn(usize) -> Joints, feet: [f32; 2]) -> f32 {
     let mut odometry = Odometry::new(NAO, &Calibration::EXACT);
     let feet = feet.map(ground);

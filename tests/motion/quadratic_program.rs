@@ -1,23 +1,23 @@
-//! The quadratic program of a recovery step, solved without a short cut: each choice of active bounds is tried.
+//! Reference solution of the quadratic program of a recovery step: it tries every combination of active bounds.
 
 use bica_motion::model::Parameters;
 use bica_motion::walk::recovery::Situation;
 use glam::Vec2;
 use nalgebra::{SMatrix, SVector, matrix, vector};
 
-/// Shortest time until a touchdown, s.
+/// Minimum time until a touchdown, s.
 const MIN_REMAINING: f32 = 0.03;
 
 /// Variables: displacement of the foot (2), growth of the divergent component of motion, its change at touchdown (2).
 const N: usize = 5;
-/// Variables that have bounds: the first three.
+/// Number of variables with bounds: the first three.
 const BOUNDED: usize = 3;
-/// Rows of the equation between them.
+/// Number of equations between the variables.
 const EQUATIONS: usize = 2;
 /// Size of the system of the Karush-Kuhn-Tucker conditions.
 const KKT: usize = N + EQUATIONS + BOUNDED;
 
-/// Minimises `½ xᵀ diag(weights) x - linearᵀ x` with `equation * x = constant` and bounds of the first variables.
+/// Minimization of `½ xᵀ diag(weights) x - linearᵀ x` subject to `equation * x = constant` and to bounds of the first variables.
 pub(crate) struct Program {
     weights: [f64; N],
     linear: [f64; N],
@@ -27,7 +27,7 @@ pub(crate) struct Program {
 }
 
 impl Program {
-    /// The program of a step in progress.
+    /// Returns the program of a step in progress.
     pub(crate) fn of(gait: &Parameters, now: &Situation) -> Self {
         let growth = |remaining: f32| f64::from(now.frequency * remaining).exp();
         let earliest = (gait.min_recovery_duration - now.elapsed).max(MIN_REMAINING).min(now.remaining);
@@ -40,27 +40,27 @@ impl Program {
         Self {
             weights: [place, place, time, offset, offset],
             linear: [0.0, 0.0, time * growth(now.remaining), 0.0, 0.0],
-            // At touchdown, dcm * growth = wanted + displacement + change of the offset.
+            // At touchdown: dcm * growth = wanted + displacement + change of the offset.
             equation: matrix![1.0, 0.0, -dcm[0], 1.0, 0.0; 0.0, 1.0, -dcm[1], 0.0, 1.0],
             constant: vector![-wanted[0], -wanted[1]],
             bounds: [[-inward[0], outward[0]], [-inward[1], outward[1]], [growth(earliest), growth(latest)]],
         }
     }
 
-    /// Displacement of the foot, m, and time until touchdown, s.
+    /// Returns the displacement of the foot, m, and the time until touchdown, s.
     pub(crate) fn best_step(&self, now: &Situation) -> (Vec2, f32) {
         let best = self.solve();
         (Vec2::new(best[0] as f32, best[1] as f32), best[2].ln() as f32 / now.frequency)
     }
 
-    /// Returns the minimum: the cheapest of the points at which the derivative is zero along the free variables.
+    /// Returns the minimum: the cheapest of the points whose derivative along the free variables is zero.
     fn solve(&self) -> SVector<f64, N> {
         let choices = (0..3_usize.pow(BOUNDED as u32)).map(|code| [code % 3, code / 3 % 3, code / 9]);
         let points = choices.filter_map(|active| self.point(active)).filter(|x| self.is_within(x));
         points.min_by(|a, b| self.cost(a).total_cmp(&self.cost(b))).expect("bounds with values between them")
     }
 
-    /// The stationary point with each bounded variable free (0), or at its lower (1) or upper bound (2).
+    /// Stationary point; each bounded variable is free (0), at its lower bound (1), or at its upper bound (2).
     fn point(&self, active: [usize; BOUNDED]) -> Option<SVector<f64, N>> {
         let (mut matrix, mut right) = (SMatrix::<f64, KKT, KKT>::zeros(), SVector::<f64, KKT>::zeros());
         for i in 0..N {

@@ -1,4 +1,4 @@
-//! Recovery steps against the quadratic program that they solve.
+//! Recovery steps compared with the quadratic program that they solve.
 
 use bica_motion::model::simulation::HUMANOIDS;
 use bica_motion::walk::recovery::Situation;

@@ -1,4 +1,4 @@
-//! Estimates of tilt and support for robots that do not measure them.
+//! Estimates of tilt and support for robots without these measurements.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::{K1, NAO, RobotModel, T1};

@@ -1,4 +1,4 @@
-//! The built-in world with a second robot model: each expected number follows from that model.
+//! Built-in world with a second robot model; every expected number follows from that model.
 
 use bica_motion::fall::Direction;
 use bica_motion::head::HeadAngles;
@@ -129,7 +129,7 @@ fn image_shows_other_robot_as_tall_as_model() {
     let labels = world.segmentation_mask();
     let shown = |row: &usize| labels[row * 320..][..320].contains(&PixelLabel::OtherRobot(0));
     let (first, last) = ((0..240).find(shown), (0..240).rfind(shown));
-    // The box of its looks reaches from 0.1 m below its hips to 0.5 m above; its front is 0.08 m nearer than its middle.
+    // The robot's visible box reaches from 0.1 m below its hips to 0.5 m above; its front is 0.08 m nearer than its centre.
     let row = |z: f32| pixel(Vec3::new(1.92, 0.0, HIPS + z)).y;
     for (found, expected) in [(first, row(0.5)), (last, row(-0.1))] {
         let found = found.expect("the keeper is in the image") as f32;

@@ -1,4 +1,4 @@
-//! A second robot model: taller and heavier than the NAO, with other leg proportions, limits, speeds and motors.
+//! Second robot model: taller and heavier than the NAO, with other leg proportions, limits, speeds and motors.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::keyframes::Keyframe;
@@ -129,7 +129,7 @@ const MOTOR: Actuator = Actuator {
     gear_efficiency: 0.7,
 };
 
-/// A rectangle with the extents of the NAO's sole times the scale.
+/// Sole: a rectangle with the extents of the NAO's sole times `SCALE`.
 const SOLE: [Vec2; 4] =
     [Vec2::new(0.15, -0.058), Vec2::new(0.15, 0.077), Vec2::new(-0.08, 0.077), Vec2::new(-0.08, -0.058)];
 

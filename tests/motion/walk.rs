@@ -147,7 +147,7 @@ fn force(newtons: f32) -> FootPressure {
     FootPressure { front_left: newtons, ..FootPressure::default() }
 }
 
-/// A walk at the beginning of a step, and its support side.
+/// Returns a walk at the beginning of a step, and its support side.
 fn walking() -> (Walk, Side) {
     let (mut walk, mut world) = start();
     for _ in 0..200 {
@@ -166,7 +166,7 @@ fn forces(support: Side, supporting: f32, swinging: f32) -> Feedback {
     Feedback { left_foot: force(left), right_foot: force(right), ..Feedback::default() }
 }
 
-/// Number of cycles until the support switches when the weight changes to the other foot in a given cycle.
+/// Number of cycles until the support switches, if the weight changes to the other foot in cycle `weight_comes`.
 fn cycles_until_switch(weight_comes: usize) -> usize {
     let (mut walk, side) = walking();
     for count in 1..200 {
@@ -208,7 +208,7 @@ fn the_step_rate_does_not_depend_on_the_cycle_time() {
     }
 }
 
-/// Number of cycles until liftoff when the support foot has contact from a given cycle on.
+/// Number of cycles until liftoff, if the support foot has contact from cycle `touches` on.
 fn cycles_until_liftoff(touches: usize) -> usize {
     let (mut walk, side) = walking();
     for count in 1..200 {
@@ -276,7 +276,7 @@ fn targets_stay_finite_for_any_input() {
     }
 }
 
-/// Position of a velocity in the walk volume; 1 is its surface.
+/// Relative size of a velocity in the walk volume; 1 is the surface of the volume.
 fn share(velocity: &Velocity) -> f32 {
     let most = if velocity.forward < 0.0 { GAIT.max_backward_speed } else { GAIT.max_velocity.forward };
     let (x, y, turn) =
@@ -323,7 +323,7 @@ proptest! {
     }
 }
 
-/// Invariants of every cycle, with the last targets.
+/// Invariants that hold in every cycle, and the last targets.
 struct Watch {
     last: Joints,
     phase: Phase,

@@ -1,5 +1,5 @@
-//! A quasi-static world for tests: joints follow their targets with dead time and limited speed, the lower sole is fixed to
-//! the ground, and the pose of the torso follows from the joint angles.
+//! Quasi-static world for tests. Joints follow their targets with dead time and limited speed; the lower sole is fixed
+//! to the ground; the pose of the torso follows from the joint angles.
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics::Skeleton;
@@ -24,7 +24,7 @@ pub(crate) struct World {
     /// Pose of the support sole on the ground.
     anchor: Affine3A,
     pub(crate) robot: Affine3A,
-    /// rad/s, torso frame.
+    /// Angular velocity, rad/s, torso frame.
     pub(crate) gyro: Vec3,
     /// Number of cycles in which a joint could not follow its target.
     pub(crate) late: usize,
@@ -53,7 +53,7 @@ impl World {
         Skeleton::of(self.model, &self.angles)
     }
 
-    /// One cycle.
+    /// Runs one cycle.
     pub(crate) fn step(&mut self, targets: &Joints) {
         self.waiting.push_back(*targets);
         let due = self.waiting.pop_front().expect("three commands are pending");
@@ -86,7 +86,7 @@ impl World {
         seen_from_above(&self.robot)
     }
 
-    /// Midway between the feet, along their mean heading.
+    /// Pose midway between the feet, with their mean heading.
     pub(crate) fn ground(&self) -> Pose2 {
         let [left, right] = Side::BOTH.map(|side| seen_from_above(&self.sole(side)));
         Pose2 {
@@ -106,7 +106,8 @@ impl World {
         Feedback { gyro: self.gyro, left_foot: all(left), right_foot: all(right), ..Feedback::default() }
     }
 
-    /// Forces on both feet, left first, N: by the position of the mass between the ankles and the contact of the soles.
+    /// Forces on both feet, left first, N, computed from the position of the centre of mass between the ankles and the
+    /// contact of the soles.
     pub(crate) fn forces(&self) -> [f32; 2] {
         let [left, right] = Side::BOTH.map(|side| self.sole(side).translation.truncate());
         let across = right - left;

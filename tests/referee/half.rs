@@ -1,4 +1,4 @@
-//! A short half in the kinematic world: a referee commands one robot in simulated time.
+//! Short half in the kinematic world: a referee commands one robot in simulated time.
 
 use bica::prelude::*;
 use bica::runner::World;
@@ -22,7 +22,7 @@ const PERIOD: u64 = 50;
 /// Cycles between two datagrams of noise.
 const NOISE: u64 = 7;
 
-/// The kinematic world with a `GameController`, whose datagrams pass through the inbox of a player.
+/// Kinematic world with a `GameController`, whose datagrams pass through the inbox of a player.
 struct Refereed {
     world: KinematicWorld,
     control: Control,
@@ -54,7 +54,8 @@ impl Refereed {
         }
     }
 
-    /// Sends what changes nothing: truncated packets, true states, and packets for others, as if the game were in another state.
+    /// Sends datagrams that must be ignored: truncated packets, true states, and packets for other teams with another
+    /// state of the game.
     fn noise(&mut self, out: &mut [u8; CONTROL_BYTES]) {
         let state = if self.control.state == PlayState::Playing { PlayState::Finished } else { PlayState::Playing };
         let foreign = [7, 8].map(|number| Team { number, ..Team::default() });
@@ -64,7 +65,7 @@ impl Refereed {
         for noise in [&datagram[1..], &datagram[..157], &[&b"RGTD"[..], &datagram[4..]].concat()] {
             assert_eq!(self.inbox.take(noise), None);
         }
-        // A late packet, and one from another sender.
+        // A late packet, or one from another sender.
         let (number, source) = if self.cycle.is_multiple_of(2) {
             (self.control.number.wrapping_sub(3), SOURCE)
         } else {
@@ -97,7 +98,7 @@ impl World<TeamForward> for Refereed {
 
 type Test = Harness<TeamForward, InWorld<Refereed>>;
 
-/// A robot in a world.
+/// Returns a robot in a world.
 fn start(setup: &Setup, version: Version) -> Test {
     let world = KinematicWorld::new(NAO, setup).expect("the setup is valid");
     let mut robot = Box::new(TeamForward::new());
@@ -118,7 +119,7 @@ fn change(test: &mut Test, change: impl FnOnce(&mut Control)) {
     change(control);
 }
 
-/// The robot stands from 2.5 s after the change on.
+/// Checks that the robot reaches a state and stands from 2.5 s after that.
 fn stands(test: &mut Test, state: &str) {
     test.reaches::<TeamPlayer>(state, Duration::from_secs(2));
     test.run_for(Duration::from_millis(2500));
@@ -132,7 +133,7 @@ fn stands(test: &mut Test, state: &str) {
     }
 }
 
-/// The robot walks.
+/// Checks that the robot walks.
 fn moves(test: &mut Test) {
     let before = pose(test);
     test.until("it moves", Duration::from_secs(30), |test| {
@@ -145,7 +146,7 @@ fn own(control: &mut Control) -> &mut Team {
     control.teams.iter_mut().find(|team| team.number == ME.team).expect("the own team")
 }
 
-/// Walks to the place before a kick-off within the 45 s of the state ready; returns where it stands.
+/// Starts the state ready, and checks that the robot walks to its place within 45 s; returns the place.
 fn ready(test: &mut Test, kicking: u8) -> Vec2 {
     change(test, |control| {
         (control.state, control.stopped, control.kicking_team) = (PlayState::Ready, false, Some(kicking));
@@ -162,7 +163,7 @@ fn ready(test: &mut Test, kicking: u8) -> Vec2 {
 }
 
 fn half(version: Version) {
-    // At the side line of its own half.
+    // The robot starts at the side line of its own half.
     let at = Start { robot: Pose2::new(-1.6, -1.9, 1.57), ball: Vec2::ZERO };
     let setup = Setup { seed: 3, frame: Frame::Small, goalkeeper: false, start: Some(at), ..Setup::default() };
     let mut test = start(&setup, version);

@@ -1,4 +1,4 @@
-//! The states above the player, without a world: each order in each state.
+//! State machine above the player, without a world: each order in each state.
 
 use bica::prelude::*;
 use bica::runner::harness::Harness;
@@ -22,7 +22,7 @@ const ORDERS: [Order; 8] = [
     Order::Finished,
 ];
 
-/// A packet with an order for the player.
+/// Returns a packet with an order for the player.
 fn packet(order: Order) -> Control {
     let mut teams = [5, 23].map(|number| Team { number, ..Team::default() });
     if order == Order::Penalized {
@@ -40,7 +40,7 @@ fn packet(order: Order) -> Control {
     Control { state, stopped, kicking_team, secondary_seconds, teams, ..Control::default() }
 }
 
-/// Name of the state in which an order is followed; of the one that is left again at once, none.
+/// Name of the state in which an order is followed.
 fn state_of(order: Order) -> &'static str {
     match order {
         Order::Initial => "initial",
@@ -54,7 +54,7 @@ fn state_of(order: Order) -> &'static str {
     }
 }
 
-/// A robot that stands on `feet`, N on each sole, and leans to the right by `roll`, rad, as long as it is not sensed again.
+/// Sets the sensor values until the next call: a robot with `feet` N on its soles that leans to the right by `roll` rad.
 fn sense(robot: &mut TeamForward, roll: f32, feet: [f32; 2], chest: bool) {
     let [left_foot, right_foot] = feet.map(|front_left| FootPressure { front_left, ..FootPressure::default() });
     let body = Sensors {
@@ -70,7 +70,7 @@ fn sense(robot: &mut TeamForward, roll: f32, feet: [f32; 2], chest: bool) {
     robot.sense(&TeamSensors { body, me: ME, packet: None, ignored: 0 }).expect("no image");
 }
 
-/// Robot that gets packets with ascending numbers.
+/// Robot that receives packets with ascending numbers.
 struct Test {
     robot: Harness<TeamForward>,
     number: u8,

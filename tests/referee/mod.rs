@@ -1,4 +1,4 @@
-//! Packets of the `GameController`, and robots that a referee commands.
+//! Tests of `GameController` packets, and of robots that a referee commands.
 
 mod half;
 mod machine;

@@ -1,4 +1,4 @@
-//! Packets against an encoder that shares no code with this repository: Python's `struct`.
+//! Packets compared with an encoder that shares no code with this repository: Python's `struct`.
 
 use std::env;
 use std::process::Command;
@@ -9,7 +9,7 @@ use bica_player::referee::packet::{BallReport, CONTROL_BYTES, Control, PlayerInf
 /// Number of packets of each kind.
 const COUNT: usize = 10_000;
 
-/// Runs the encoder; `None` where there is no Python, except in CI, which has it.
+/// Runs the encoder; `None` without Python. In CI, which has Python, it must run.
 fn vectors() -> Option<String> {
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/referee/vectors.py");
     let run = Command::new("python3").args([script, &COUNT.to_string(), "2026"]).output();

@@ -1,4 +1,4 @@
-//! Events of a tree, in one list for the probe and for the components.
+//! Events of a tree. The probe and the components add to the same list.
 
 use std::cell::RefCell;
 
@@ -8,13 +8,13 @@ use bica::prelude::*;
 use crate::semantics::rules;
 use crate::semantics::unit::Carried;
 
-/// Component that was read: name and value.
+/// Read of a component: its name and its value.
 pub(crate) type Read = (&'static str, u64);
 
 /// Times passed to a component, clock ticks: now, since its last run, in its state.
 pub(crate) type Times = (u64, u64, u64);
 
-/// Event. Numbers are indices of components and states, names are those in the source.
+/// Event. Numbers are indices of components and states; names are those in the source.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Event {
     CycleBegin(u64),
@@ -22,7 +22,7 @@ pub(crate) enum Event {
     Framework(rules::Event),
     Begin(usize),
     End(usize),
-    /// Component, transition, and whether its condition holds.
+    /// Result of a condition: component, transition, and whether the condition holds.
     Condition(usize, usize, bool),
     /// Call of the start hook of a component.
     Started(&'static str),
@@ -34,7 +34,7 @@ pub(crate) enum Event {
         transition: &'static str,
         reads: Vec<Read>,
     },
-    /// Call of a hook of a state, with what an entry hook takes.
+    /// Call of a hook of a state; an entry hook may take a found value.
     Hook {
         of: &'static str,
         hook: &'static str,
@@ -42,7 +42,7 @@ pub(crate) enum Event {
         reads: Vec<Read>,
         writes: Vec<&'static str>,
     },
-    /// Run of the code of a step or of a state.
+    /// Run of the code of a step or a state.
     Body {
         of: &'static str,
         state: &'static str,

@@ -1,4 +1,4 @@
-//! Tree as the rules see it: its `GRAPH`, and the recorded events that must be those of the rules.
+//! Model of a tree for the rules: its `GRAPH`, and the recorded events, which must be those that the rules require.
 
 use std::vec::IntoIter;
 
@@ -13,13 +13,13 @@ use super::unit::{BEGIN, Carried, HOOK, bit, compute, mix};
 /// Ticks of the clock per second.
 const SECOND: f64 = 1e6;
 
-/// Period, in ticks of the clock, from which a component never runs.
+/// Period from which a component never runs, ticks of the clock.
 const NEVER: f64 = 4_611_686_018_427_387_904.0;
 
-/// Number of bits of a fraction of a tick in [`Times`].
+/// Number of bits for fractions of a tick in [`Times`].
 const FRACTION_BITS: u32 = 32;
 
-/// Times of a component, and the data of the test component's own code.
+/// Times of a component, and data of the test component's own code.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Data {
     pub(crate) hz: Option<f32>,
@@ -34,7 +34,7 @@ pub(crate) struct Data {
     pub(crate) flags: u32,
     value: u64,
     received: u64,
-    /// What the transition of this run found.
+    /// Value that the transition of this run found.
     found: Option<Carried>,
     /// Number of transitions with `times` in a row.
     taken: u8,
@@ -62,11 +62,11 @@ pub(crate) struct Model {
     pub(crate) components: Vec<Data>,
     pub(super) activators_first: Vec<usize>,
     now: u64,
-    /// Actual events that the model has not yet expected.
+    /// Recorded events that have not been compared with the model yet.
     events: IntoIter<Event>,
 }
 
-/// `Err` with the first difference between the tree and the model.
+/// Result of a comparison; `Err` describes the first difference between the tree and the model.
 pub(crate) type Comparison = Result<(), String>;
 
 impl Model {
@@ -82,7 +82,7 @@ impl Model {
         }
     }
 
-    /// A rate can be set between 0 and the declared rate.
+    /// Sets a rate, which is limited to the range from 0 to the declared rate.
     pub(crate) fn set_rate(&mut self, index: usize, hz: f32) {
         let declared = self.graph.nodes[index].hz;
         self.components[index].hz = match declared {
@@ -104,7 +104,7 @@ impl Model {
         self.events.next().map_or(Ok(()), |event| Err(format!("{event:?} after the expected end")))
     }
 
-    /// Compares the call of the function that runs before the transitions, and returns the first transition that is taken.
+    /// Compares the call of the function before the transitions; returns the first transition that is taken.
     fn transition(&mut self, index: usize, state: usize) -> Result<Option<Transition>, String> {
         if let Some(before) = self.graph.nodes[index].states[state].before {
             self.hook(index, before, None)?;
@@ -155,7 +155,7 @@ impl Model {
         }
     }
 
-    /// Compares the hooks of a state. Of the entry hooks the first takes what the transition found.
+    /// Compares the hooks of a state. The first entry hook takes the value that the transition found.
     fn hooks(&mut self, index: usize, state: usize, entry: bool) -> Comparison {
         let node = &self.graph.nodes[index];
         let (name, state) = (node.name, node.states[state].name);
@@ -166,7 +166,7 @@ impl Model {
         Ok(())
     }
 
-    /// Compares the call of a hook with what it takes.
+    /// Compares the call of a hook, and the value that it takes.
     fn hook(&mut self, index: usize, name: &'static str, taken: Option<Carried>) -> Comparison {
         match self.next()? {
             Event::Hook { of, hook, found, reads, writes }
@@ -283,7 +283,7 @@ impl Model {
 }
 
 impl Model {
-    /// Starts the times of a component that becomes active; `entering` unless it resumes a state.
+    /// Sets the times of a component that becomes active; `entering` is false if it resumes a state.
     pub(super) fn start(&mut self, of: usize, entering: bool) {
         let data = &mut self.components[of];
         data.grid = i128::from(self.now) << FRACTION_BITS;
@@ -293,7 +293,7 @@ impl Model {
         }
     }
 
-    /// Whether an active component runs in this cycle; its next run is then due a period later.
+    /// Returns whether an active component runs in this cycle; its next run is then due one period later.
     ///
     /// A component that runs in every cycle does not use the grid.
     ///
@@ -325,7 +325,7 @@ impl Model {
         true
     }
 
-    /// Takes an event.
+    /// Compares an event.
     pub(super) fn event(&mut self, event: rules::Event) -> Comparison {
         let name = |index: usize| self.graph.nodes[index].name;
         match event {
@@ -348,7 +348,7 @@ impl Model {
         }
     }
 
-    /// Runs a component up to its transition, and returns the new state.
+    /// Runs a component up to its transition; returns the new state.
     pub(super) fn decide(&mut self, of: usize, entering: bool) -> Result<Option<usize>, String> {
         self.expect(&Event::Begin(of))?;
         let Some(state) = self.memories[of].state else { return Ok(None) };
@@ -361,7 +361,7 @@ impl Model {
         Ok(Some(transition.to))
     }
 
-    /// Runs the step of a component, or of its state, which it has just entered if `moved`.
+    /// Runs the step of a component, or of its state; `moved` is true if it has just entered the state.
     pub(super) fn step(&mut self, of: usize, moved: bool) -> Comparison {
         if let Some(state) = self.memories[of].state.filter(|_| moved) {
             self.expect(&Event::Begin(of))?;
@@ -373,7 +373,7 @@ impl Model {
     }
 }
 
-/// All components, each after those that can activate it; otherwise in the order of the list.
+/// Returns all components, each after its possible activators; otherwise in the order of the list.
 fn activators_first(graph: &Graph) -> Vec<usize> {
     let count = graph.nodes.len();
     let mut order: Vec<usize> = Vec::new();

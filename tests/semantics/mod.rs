@@ -1,4 +1,5 @@
-//! Semantics of activation trees: the events of trees that are written with the macros, in random scripts, compared with a model.
+//! Semantics of activation trees: in random scripts, the events of trees that are written with the macros are compared
+//! with those of a model.
 //!
 //! [`rules`] is the model. Scripts tick the tree, set flags that transitions read, change rates and hold components; components
 //! record their calls, times and values.
@@ -23,8 +24,8 @@ fn cases() -> u32 {
     std::env::var("BICA_TEST_CASES").map_or(200, |cases| cases.parse().expect("BICA_TEST_CASES is a number"))
 }
 
-/// Compares a tree with its model in random scripts. One function for all trees: each copy of the runner of proptest takes time
-/// to compile.
+/// Compares a tree with its model in random scripts. It is not generic over the tree, because each copy of proptest's
+/// runner takes time to compile.
 ///
 /// # Panics
 /// If they differ; the message contains the smallest script that was found.
@@ -81,7 +82,7 @@ on_trees!(
 );
 
 on_trees!(
-    /// All of it, with a clock that jumps and goes back.
+    /// All of these, with a clock that jumps and goes back.
     jumps,
     Stress { flags: 6, rates: 6, holds: 4, jumps: true }
 );

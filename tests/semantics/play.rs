@@ -1,4 +1,4 @@
-//! Playing of a script on a tree and on its model.
+//! Execution of a script on a tree and on its model.
 
 use bica::Status;
 use bica::prelude::*;
@@ -9,7 +9,7 @@ use super::graph::Model;
 use super::script::{Action, Script};
 use super::test_tree::TestTree;
 
-/// Plays the script, and compares all events and the status of each component with the model.
+/// Runs the script, and compares all events and the status of each component with the model.
 pub(crate) fn play<T: TestTree>(script: &Script) -> Result<(), TestCaseError> {
     take_events();
     let mut tree = T::default();

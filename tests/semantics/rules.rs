@@ -1,4 +1,4 @@
-//! Reference model: the rules in the documentation of `bica-core`, written for clarity and not for speed.
+//! Reference model: the rules in the documentation of `bica-core`, written for clarity rather than speed.
 
 use bica::Hold;
 use bica::graph::{End, LinkKind};
@@ -29,7 +29,7 @@ pub(crate) struct Memory {
 }
 
 impl Model {
-    /// Runs one cycle: visits the root, then components that are held active; then those stop that were not visited.
+    /// Runs one cycle: visits the root, then all components that are held active; then stops the components that were not visited.
     pub(crate) fn cycle(&mut self) -> Comparison {
         self.visit(self.graph.root)?;
         for index in self.activators_first.clone() {
@@ -47,8 +47,8 @@ impl Model {
         Ok(())
     }
 
-    /// A component is visited at most once, and not if it is held latent. It is due when it becomes active. Components that it
-    /// requires are visited before its run, those that it modulates after.
+    /// Visits a component: at most once in a cycle, and not if it is held latent. A component that becomes active is
+    /// due. The components that it requires are visited before its run, those that it modulates after it.
     fn visit(&mut self, index: usize) -> Comparison {
         let memory = &mut self.memories[index];
         if memory.visited || memory.hold == Hold::Latent {
@@ -111,7 +111,8 @@ impl Model {
         Ok(())
     }
 
-    /// At most one transition is taken. The components that the new state requires are visited, and it runs, in the same run.
+    /// Runs a component; takes at most one transition. In the same run, the components that the new state requires are
+    /// visited, and the new state runs.
     fn run(&mut self, index: usize, entering: bool) -> Comparison {
         self.event(Event::Run(index))?;
         let next = self.decide(index, entering)?;

@@ -51,7 +51,7 @@ pub(crate) struct Stress {
 
 /// Scripts of up to 48 cycles.
 pub(crate) fn scripts(stress: Stress) -> impl Strategy<Value = Script> {
-    // Without requests a tree becomes steady.
+    // Most ticks have no requests, so that a tree can become steady.
     let requests = prop::collection::vec((any::<Index>(), action(stress)), 1..4);
     let actions = prop_oneof![3 => Just(Vec::new()), 1 => requests];
     let tick = (actions, clock(stress.jumps)).prop_map(|(actions, clock)| Tick { actions, clock });

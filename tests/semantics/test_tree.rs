@@ -1,10 +1,10 @@
-//! Test tree that is controlled by component indices.
+//! Test tree, controlled by component indices.
 
 use bica::prelude::*;
 
 use super::unit::Unit;
 
-/// An entry or exit hook; a `GRAPH` does not list them.
+/// Entry or exit hook; a `GRAPH` does not list them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hook {
     pub(crate) of: &'static str,

@@ -4,17 +4,17 @@ use bica::prelude::*;
 
 use super::event::{Event, Read, Times, record};
 
-/// Mixes a number into a value; the result depends on all numbers and their order.
+/// Mixes a number into a value. The result depends on all numbers and their order.
 pub(crate) fn mix(into: u64, more: u64) -> u64 {
     (into ^ more).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(23)
 }
 
-/// Bit of the flags that a transition reads.
+/// Bit of a transition in the flags.
 pub(crate) fn bit(transition: &str) -> u32 {
     1 << (transition.bytes().map(u32::from).sum::<u32>() % 32)
 }
 
-/// What a hook mixes into the value of its component.
+/// Number that a hook mixes into the value of its component.
 pub(crate) const HOOK: u64 = 77;
 
 /// Name whose bit of the flags begins a job.
@@ -33,7 +33,7 @@ pub(crate) struct Unit {
     name: &'static str,
     /// Output of the component.
     pub(crate) value: u64,
-    /// Mixture of the values written to it since its last run.
+    /// Mixture of the values that were written to it since its last run.
     pub(crate) received: u64,
     /// Transitions to take, as bits.
     pub(crate) flags: u32,
@@ -46,7 +46,7 @@ impl Unit {
         Self { name, value: 0, received: 0, flags: 0, requested_rate: None }
     }
 
-    /// Name and value, as a reader gets them.
+    /// Name and value for a reader.
     pub(crate) fn read(&self) -> Read {
         (self.name, self.value)
     }
@@ -84,7 +84,7 @@ impl Unit {
         self.take(hook, None, reads, writes);
     }
 
-    /// The same, of an entry hook that takes what a transition found.
+    /// Runs an entry hook that takes the value that a transition found, like [`hook`](Self::hook).
     pub(crate) fn take<const R: usize, const W: usize>(
         &mut self,
         hook: &'static str,

@@ -12,7 +12,7 @@ const POSES: usize = 300;
 
 /// Minimum number of due objects, minimum recall and precision, maximum median and 95 % error.
 ///
-/// Slightly looser than the present scores, so that a harmless change may lose one or two objects.
+/// The bounds are slightly looser than the present scores, so that a harmless change may lose one or two objects.
 struct Bounds(usize, f32, f32, f32, f32);
 
 /// Description of a violated bound.

@@ -1,4 +1,4 @@
-//! Hypothesis tests of balls, posts and other objects, seen by a camera with pose errors.
+//! Hypothesis tests of balls, posts and other objects in images of a camera with pose errors.
 
 use bica_field::FIELD;
 use bica_vision::hypothesis::{self, ImageCircle};
@@ -29,7 +29,7 @@ fn circle(camera: &Camera, at: Vec3, radius: f32) -> Option<ImageCircle> {
     Some(ImageCircle { centre: camera.pixel(at)?, radius: camera.sphere_radius(at, radius)? })
 }
 
-/// Assumed camera of a robot with an unknown lean.
+/// Camera of a robot with an unknown lean, as the robot assumes it.
 fn leaning(camera: &Camera, lean: Vec2) -> Camera {
     let turn = Affine3A::from_quat(Quat::from_scaled_axis(lean.extend(0.0)));
     let mut pose = camera.pose();
@@ -74,7 +74,7 @@ proptest! {
 
     #[test]
     fn ball_in_the_air_is_rejected((camera, place) in view(1.5), height in 0.35_f32..0.6) {
-        // Right below the camera it may be behind the image plane.
+        // Directly below the camera the ball may be behind the image plane.
         let seen = circle(&camera, place.extend(height), RADIUS);
         prop_assume!(seen.is_some());
         let seen = seen.expect("in front");

@@ -1,4 +1,4 @@
-//! Projection to the ground and back, against published values and against itself.
+//! Projection to the ground and back, compared with published values and with itself.
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics;
@@ -36,7 +36,7 @@ fn ground_points_of_pixels_equal_the_published_ones() {
         for scale in [1, 2, 4] {
             let camera = standing(id, 640 / scale, 480 / scale);
             let found = camera.ground(Vec2::from(pixel) / f32::from(scale), 0.0).expect("below the horizon");
-            // Half a unit of the last published digit; the point of the first row is 24 m away.
+            // Tolerance: half a unit of the last published digit; the point of the first row is 24 m away.
             let error = (found - Vec2::from(expected)).abs().max_element();
             assert!(error <= 0.000_55, "{id:?} {pixel:?} at 1/{scale}: {found} is {error} off");
         }
@@ -70,7 +70,7 @@ proptest! {
     fn projection_to_the_ground_is_invertible((camera, pixel) in camera_and_pixel(), z in 0.0_f32..0.15) {
         if let Some(point) = camera.ground(pixel, z) {
             let back = camera.pixel(point.extend(z));
-            // At a distance one pixel covers many metres, beyond the precision of f32.
+            // At a large distance one pixel covers many metres, beyond the precision of f32.
             if point.length() < 50.0 {
                 prop_assert!(back.is_some_and(|back| (back - pixel).length() < 0.05), "{back:?} for {pixel}");
             }

@@ -1,4 +1,4 @@
-//! Uncertainty of ground positions, against sampled errors and finite differences.
+//! Uncertainty of ground positions, compared with sampled errors and finite differences.
 
 use std::f32::consts::PI;
 

@@ -1,4 +1,4 @@
-//! A machine whose transitions carry something, and with functions before them.
+//! State machine whose transitions carry values and that has functions before its transitions.
 
 use bica::prelude::*;
 
@@ -48,7 +48,7 @@ unit!(Taker(hz = 50) {
         self.unit.body("lift", time, [], [&mut motor.unit]);
     }
 
-    /// It writes: the conditions read the value that it computed in this run.
+    /// The function writes, and the conditions read the value that it computed in this run.
     #[before(search | lift)]
     fn plan(&mut self, sensor: &Sensor, motor: &mut Motor) {
         self.unit.hook("plan", [sensor.unit.read()], [&mut motor.unit]);
@@ -79,7 +79,7 @@ unit!(Taker(hz = 50) {
         self.unit.find("held", []).map(|found| (0, found))
     }
 
-    /// It changes the value that the conditions found.
+    /// The hook changes the value that the conditions read.
     #[exit(search | grasp)]
     fn leave(&mut self, motor: &mut Motor) {
         self.unit.hook("leave", [], [&mut motor.unit]);

@@ -1,4 +1,4 @@
-//! Two machines that become latent together: one resumes its state, the other starts in its initial state.
+//! Two state machines that become latent together: one resumes its state, the other starts again in its initial state.
 
 use bica::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Components that name roles. One component provides two of them and is named as well; another provider asks for a role itself.
+//! Components that use roles. One provider has two roles and is also named directly; another provider uses a role itself.
 
 use bica::prelude::*;
 

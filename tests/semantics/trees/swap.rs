@@ -1,4 +1,4 @@
-//! Machine that exchanges its children; one child is a machine too.
+//! State machine that exchanges its children; one child is a state machine, too.
 
 use bica::prelude::*;
 

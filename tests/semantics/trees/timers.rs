@@ -1,4 +1,4 @@
-//! A machine with timers, hooks and transitions from several states.
+//! State machine with timers, hooks and transitions from several states.
 
 use bica::prelude::*;
 

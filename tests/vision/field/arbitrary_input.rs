@@ -67,7 +67,7 @@ fn camera() -> impl Strategy<Value = Camera> {
     prop_oneof![sound, any].prop_map(|pose| Camera::new(pose, Intrinsics::nao_v6(160, 120)))
 }
 
-/// Image of noise or of rectangles in the field's colours.
+/// Random image of noise or of rectangles in the colours of the field.
 fn picture() -> impl Strategy<Value = Vec<u8>> {
     const COLOURS: [[u8; 4]; 5] =
         [[70, 113, 110, 70], [190, 126, 127, 190], [125, 85, 165, 125], [170, 60, 140, 170], [95, 150, 95, 95]];

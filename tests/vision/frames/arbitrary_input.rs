@@ -13,7 +13,7 @@ use bica_vision::projection::{Camera, Intrinsics};
 use glam::Affine3A;
 use proptest::prelude::*;
 
-/// Bytes of a frame: noise, one colour, stripes of either direction, or blocks of noise.
+/// Random bytes of a frame: noise, one colour, stripes in either direction, or blocks of noise.
 fn content(width: u16, height: u16) -> BoxedStrategy<Vec<u8>> {
     let (row, len) = (2 * usize::from(width), 2 * usize::from(width) * usize::from(height));
     let four = any::<[u8; 4]>();
@@ -60,7 +60,7 @@ fn all_answers(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camer
     numbers.extend(seen.markings.crossings.iter().flat_map(|crossing| [crossing.at.x, crossing.at.y]));
     numbers.extend(seen.markings.circle.iter().flat_map(|circle| [circle.centre.x, circle.centre.y]));
     for end in [end, FieldBoundary::NONE] {
-        // Small capacities, so that they run full.
+        // The capacities are small, so that they are exhausted.
         let ball = BallFinder::<64>::new(FIELD.ball_radius()).find(frame, colours, &end, camera);
         numbers.extend(ball.iter().flat_map(|b| [b.centre.x, b.centre.y, b.radius, b.confidence]));
         let goals = GoalFinder::<64>::new().find(frame, colours, &end, camera);

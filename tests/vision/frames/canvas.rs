@@ -11,7 +11,7 @@ pub(crate) const RED: Pixel = Pixel::new(90, 108, 182);
 pub(crate) const YELLOW: Pixel = Pixel::new(140, 52, 142);
 pub(crate) const BLUE: Pixel = Pixel::new(95, 150, 106);
 
-/// Image of shapes with anti-aliased edges and a little position-dependent noise.
+/// Image of antialiased shapes with a little position-dependent noise.
 #[derive(Clone)]
 pub(crate) struct Canvas {
     width: u16,
@@ -28,7 +28,7 @@ impl Canvas {
         canvas
     }
 
-    /// Paints the points with a positive `inside`, the signed distance to the edge, px.
+    /// Paints the points at which `inside`, the signed distance to the edge, px, is positive.
     pub(crate) fn paint(&mut self, colour: Pixel, inside: impl Fn(Vec2) -> f32) {
         let width = usize::from(self.width);
         for (index, pixel) in self.pixels.iter_mut().enumerate() {

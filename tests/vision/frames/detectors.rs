@@ -50,8 +50,8 @@ fn draw_goal(canvas: &mut Canvas, colour: Pixel, left: Vec2, span: f32, height: 
     );
 }
 
-/// A straight edge near the circle has inliers, too: of 12,600 balls of 12 to 16 px, hidden by a fifth to a third, the centres of 4 were
-/// farther off. So these images are fixed, not random.
+/// The images are fixed, not random, because a straight edge near the circle has inliers, too: of 12,600 balls of 12 to
+/// 16 px, hidden by a fifth to a third, 4 had a larger error of the centre.
 #[test]
 fn ball_behind_a_foot_is_found() {
     let wrong = (0..500_u16).filter(|&index| {
@@ -177,7 +177,7 @@ proptest! {
     #[test]
     fn long_green_wall_is_not_carpet(end in 110.0_f32..160.0, height in 20.0_f32..60.0, apart in 12.0_f32..30.0) {
         let mut canvas = Canvas::field(320, 240, 0.0);
-        // The gap is not white: white between green is a line.
+        // The gap is not white, because white between green is a line.
         canvas.paint(Pixel::new(90, 124, 136), |at| end - at.y);
         canvas.bar(CARPET, Vec2::new(160.0, end - apart), Vec2::new(160.0, end - apart - height), 250.0);
         let found = canvas.with_frame(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
@@ -263,7 +263,7 @@ proptest! {
         x in 110.0_f32..210.0,
         y in 120.0_f32..160.0,
         length in 100.0_f32..150.0,
-        // The angle is not near 45° either, where columns and rows share a line.
+        // The angle is not near 45° either, where columns and rows each find a part of the line.
         angle in prop_oneof![-0.65_f32..0.65, 0.95_f32..2.2],
         width in 4.0_f32..10.0,
     ) {
@@ -280,7 +280,7 @@ proptest! {
     }
 }
 
-/// Classifier that counts its calls, and the classes of its chroma boxes.
+/// Classifier that counts its calls.
 struct Counting(Cell<usize>);
 
 impl Classify for Counting {
@@ -301,7 +301,7 @@ fn ball_detection_classifies_only_what_it_needs() {
         assert!(colours.0.get() <= 40 * 120, "the field boundary reads 40 columns, every second row");
         colours.0.set(0);
         assert!(BallFinder::<512>::new(FIELD.ball_radius()).find(frame, &colours, &end, None).is_some());
-        // The rows below the field boundary, and the rays and samples of one candidate.
+        // Pixels of the rows below the field boundary, and of the rays and samples of one candidate.
         assert!(colours.0.get() <= 160 * 130 + 32 * 30 + 81, "{} pixels for the ball", colours.0.get());
     });
 }

@@ -59,7 +59,7 @@ impl Count {
     }
 }
 
-/// Calls a function with views of a robot of the red team, alone with the ball: frame, camera, body outline.
+/// Calls `look` with views of a robot of the red team, alone with the ball: frame, camera and body outline.
 fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Frame<'_>, &Camera, &OwnBody)) {
     for seed in seeds {
         let robot = Pose2::new(0.0, 0.0, 0.1 * seed as f32);
@@ -109,7 +109,7 @@ fn outline_from_joint_angles_covers_the_body() {
         100.0 * green
     );
     assert!(count.red > 5000, "{count:?}");
-    // The rendered robot is slimmer than the outline, by a centimetre at the shoulders and arms.
+    // The rendered robot is one centimetre slimmer than the outline at the shoulders and arms.
     assert!(red > 0.97 && green < 0.4, "{count:?}");
 }
 
@@ -124,7 +124,7 @@ fn body_outline_removes_false_balls_only() {
         |frame, camera, own| {
             let mut finder = BallFinder::<512>::new(FIELD.ball_radius());
             let end = FieldBoundary::find_with(frame, &colours, Some(camera));
-            // Without a camera pose the size cannot reject them.
+            // Without a camera pose, the detector cannot reject them by size.
             alone += usize::from(finder.find(frame, &colours, &end, None).is_some());
             beside += usize::from(finder.find_tuned(frame, &colours, &end, None, own, &BallTuning::DEFAULT).is_some());
         },

@@ -1,5 +1,5 @@
-//! Ball detection in recorded frames with the colours of another team, and in raw frames. The tests of the program `player` hold all
-//! detectors to scores in these frames.
+//! Ball detection in recorded frames with the colours of another team, and in raw frames. Tests of the program `player`
+//! check the scores of all detectors in these frames.
 
 use std::fs;
 

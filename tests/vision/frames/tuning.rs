@@ -1,4 +1,4 @@
-//! Thresholds of the detectors change what is found.
+//! Thresholds of the detectors must change the detections.
 
 use bica_field::FIELD;
 use bica_motion::joints::Joint;
@@ -42,7 +42,7 @@ fn has_ball(canvas: &Canvas, own: &OwnBody, tuning: &BallTuning) -> bool {
 fn max_own_share_admits_a_partly_covered_ball() {
     let own = own_body();
     let places = (40..280).step_by(4).flat_map(|x| (60..200).step_by(4).map(move |y| Vec2::new(x as f32, y as f32)));
-    // The detector tests the middle of the region, 0.4 of its size around its centroid.
+    // The detector tests the middle of the region: 0.4 of its size around its centroid.
     let half = places
         .into_iter()
         .find(|place| (0.3..0.5).contains(&own.share(*place, 0.8 * 20.0)))

@@ -48,7 +48,7 @@ impl Scene {
         self.velocity = left * self.velocity.normalize_or_zero();
     }
 
-    /// Simulates one image; the robot walks at `speed` m/s. `lasting` is the share of slowly varying noise.
+    /// Simulates one image; the robot walks at `speed` m/s. `lasting` is the fraction of the noise that varies slowly.
     fn step(&mut self, speed: f32, lasting: f32) {
         self.roll();
         let motion = Pose2::new(speed * STEP, 0.0, 0.1 * speed * STEP);
@@ -60,7 +60,7 @@ impl Scene {
             return;
         }
         let (at, new) = (self.local(), Vec2::new(self.noise.normal(), self.noise.normal()));
-        // Constant for a third of a second.
+        // The bias is correlated over about a third of a second.
         self.bias = 0.9 * self.bias + (1.0 - 0.81_f32).sqrt() * new;
         let spread = spread(at);
         let off = (1.0 - lasting).sqrt() * self.noise.off_by(&spread) + lasting.sqrt() * (root(&spread) * self.bias);
@@ -203,7 +203,7 @@ fn unseen_rolling_ball_decelerates_and_stops() {
     assert!(ends[0].distance(ends[1]) < 0.01, "{ends:?}");
 }
 
-/// The robot looks away just after an outlier.
+/// The robot looks away immediately after an outlier.
 #[test]
 fn single_outlier_does_not_make_the_ball_roll() {
     for (seed, way) in [(11, Vec2::X), (12, Vec2::Y), (13, Vec2::NEG_X), (14, Vec2::ONE)] {

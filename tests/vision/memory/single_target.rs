@@ -79,7 +79,7 @@ fn near_sightings_are_averaged_and_a_far_one_replaces() {
     assert_eq!((memory.position(), memory.age()), (None, None));
 }
 
-/// The robot walks in a circle with noisy odometry and sees the object now and then.
+/// The robot walks in a circle with noisy odometry and sees the object from time to time.
 #[test]
 fn covariance_matches_the_error_of_the_position() {
     let (mut sum, mut count, mut inside) = (0.0, 0.0, 0.0);
@@ -90,7 +90,7 @@ fn covariance_matches_the_error_of_the_position() {
         for step in 0..300 {
             let truth = Pose2::new(0.006, 0.0, noise.between(-0.03, 0.03));
             robot = robot * truth;
-            // With the odometry noise that the memory assumes.
+            // The odometry noise is the one that the memory assumes.
             let way = 0.08 * truth.position.length().sqrt();
             let turn = 0.05 * truth.heading.abs().sqrt() * noise.normal();
             let measured = Pose2::new(

@@ -1,4 +1,4 @@
-//! Rates and errors of the memories change how long and how exactly objects are remembered.
+//! Rates and errors of the memories must change how long and how accurately objects are remembered.
 
 use bica_motion::pose::Pose2;
 use bica_vision::memory::{Memory, MemoryTuning};

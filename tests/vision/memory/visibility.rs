@@ -1,4 +1,4 @@
-//! An object in view that is not detected loses confidence; an object out of view does not.
+//! An object that is in view but not detected must lose confidence; an object out of view must not.
 
 use bica_field::FIELD;
 use bica_motion::joints::{Joint, Joints};
@@ -26,7 +26,7 @@ fn view(id: CameraId, yaw: f32, pitch: f32) -> (Camera, OwnBody) {
     (camera, body)
 }
 
-/// Looks for one second at the position of a remembered ball without a detection.
+/// Looks for one second at the position of a remembered ball without detecting it; returns the confidence.
 fn belief_after_looking(at: Vec2, (camera, body): &(Camera, OwnBody)) -> f32 {
     let mut ball = BallMemory::new(10.0);
     for _ in 0..10 {

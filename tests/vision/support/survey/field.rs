@@ -14,7 +14,7 @@ use super::FAR;
 use super::score::Score;
 use super::truth::{SIZE, Truth};
 
-/// Length of the pieces in which lines are counted, m.
+/// Length of the pieces into which lines are divided for counting, m.
 const PIECE: f32 = 0.1;
 /// Maximum distance of a detected line from a true piece, px.
 const LINE_NEAR_PIXELS: f32 = 3.0;
@@ -26,7 +26,7 @@ const CROSSING_NEAR: f32 = 0.2;
 const CROSSING_TURN: f32 = 0.3;
 /// Length of the arms that must be visible for a crossing to be due, m.
 const ARM: f32 = 0.2;
-/// Minimum visible share of the circle for it to be due.
+/// Minimum visible fraction of the circle for it to be due.
 const CIRCLE_PART: f32 = 0.3;
 /// Maximum distance of the detected centre from the true one, m.
 const CIRCLE_NEAR: f32 = 0.2;
@@ -58,7 +58,7 @@ fn pieces() -> impl Iterator<Item = Vec2> {
     straight.chain(round).flat_map(|at| [at, -at])
 }
 
-/// Whether a ground point is visible, some pixels within the image.
+/// Returns whether a ground point is visible and at least 4 pixels inside the image.
 fn is_seen(place: Vec2, truth: &Truth) -> bool {
     let inside = |at: Vec2| at.min(Vec2::new(SIZE.0 as f32, SIZE.1 as f32) - at).min_element() > 4.0;
     truth.shows(place.extend(0.0), PixelLabel::Background) && truth.pixel(place.extend(0.0)).is_some_and(inside)
@@ -100,7 +100,7 @@ fn distance(at: Vec2, from: Vec2, to: Vec2) -> f32 {
     at.distance(from + share * along)
 }
 
-/// Scores crossings: due if the arms are visible, right if kind, position and heading agree.
+/// Scores crossings: due if their arms are visible, right if kind, position and heading agree.
 pub(super) fn crossings(score: &mut Score, seen: &Detections, truth: &Truth) {
     let found = seen.markings.crossings.iter().map(|crossing| (crossing.kind, truth.pose * crossing.ground));
     let found: Vec<(CrossingKind, Pose2)> = found.collect();

@@ -13,15 +13,15 @@ use super::FAR;
 use super::score::Score;
 use super::truth::{SIZE, Truth};
 
-/// Visible share of a ball from which on it is due.
+/// Minimum visible fraction of a ball for it to be due.
 const BALL_PART: f32 = 0.5;
-/// Minimum visible share of a post, and its minimum height, px.
+/// Minimum visible fraction of a post, and its minimum height, px, for it to be due.
 const POST_PART: f32 = 0.5;
 const POST_LEAST: f32 = 16.0;
 /// Maximum distance of due robots, and maximum distance of a detection from the true position, m.
 const ROBOTS_NEAR: f32 = 0.5;
 const ROBOT_ERROR: f32 = 0.35;
-/// Minimum share of a robot's box that shows a robot, percent.
+/// Minimum fraction of a robot's box that shows a robot, percent.
 const ROBOT_PART: usize = 20;
 
 /// Scores the ball: due if half of it is visible. The error is relative to its distance.
@@ -46,8 +46,8 @@ pub(super) fn ball(score: &mut Score, seen: &Detections, truth: &Truth) {
     }
 }
 
-/// Scores posts: due at any distance if half of it is visible. The error, of those with a foot, is relative to the
-/// distance.
+/// Scores posts: due at any distance if at least half of the post is visible. The error is relative to the distance; it
+/// is computed only for posts with a visible foot.
 pub(super) fn posts(score: &mut Score, seen: &Detections, truth: &Truth) {
     let goals = [(true, seen.goals.yellow), (false, seen.goals.blue)];
     for (yellow, goal) in goals {
@@ -74,7 +74,7 @@ fn posts_of(goal: &Goal) -> impl Iterator<Item = Post> + use<> {
     [Some(goal.first), goal.second].into_iter().flatten()
 }
 
-/// Whether a detected post is in the column of a true one.
+/// Returns whether a detected post is in the column of a true one.
 fn is_at(post: &Post, known: Vec2, truth: &Truth) -> bool {
     let ends = truth.pixel(known.extend(0.0)).zip(truth.pixel(known.extend(FIELD.goal_height())));
     ends.is_some_and(|(foot, top)| {
@@ -110,7 +110,7 @@ pub(super) fn robots(score: &mut Score, seen: &Detections, truth: &Truth) {
     }
 }
 
-/// Whether enough of a box shows another robot, whose base agrees if it is visible and near.
+/// Returns whether a sufficient part of a box shows another robot, and whether its base agrees if it is visible and near.
 fn is_robot(robot: &Robot, truth: &Truth) -> bool {
     let at = |u: f32, v: f32| truth.thing(robot.min + Vec2::new(u, v) * (robot.max - robot.min));
     let grid = (0..100_u8).map(|i| (0.05 + 0.1 * f32::from(i % 10), 0.05 + 0.1 * f32::from(i / 10)));

@@ -31,7 +31,7 @@ impl Score {
         }
     }
 
-    /// Lets `view` add to the score, and notes the pose of each miss and false detection.
+    /// Lets `view` add to the score, and stores the pose number if it adds a miss or a false detection.
     pub(crate) fn note(&mut self, pose: u64, view: impl FnOnce(&mut Self)) {
         let (missed, wrong) = (self.due - self.found, self.seen - self.right);
         view(self);
@@ -56,12 +56,12 @@ impl Score {
         self.errors.extend(off.into());
     }
 
-    /// Recall: share of due objects that were detected.
+    /// Recall: fraction of the due objects that were detected.
     pub(crate) fn recall(&self) -> f32 {
         self.found as f32 / self.due as f32
     }
 
-    /// Precision: share of detections that are right.
+    /// Precision: fraction of the detections that are right.
     pub(crate) fn precision(&self) -> f32 {
         self.right as f32 / self.seen as f32
     }

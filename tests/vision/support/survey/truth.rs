@@ -62,7 +62,7 @@ impl Truth {
         is_inside.then(|| self.things[y as usize * SIZE.0 + x as usize])
     }
 
-    /// Whether a point of the field frame is visible with a label.
+    /// Returns whether a point of the field frame is visible with a label.
     pub(super) fn shows(&self, point: Vec3, thing: PixelLabel) -> bool {
         self.pixel(point).is_some_and(|pixel| self.thing(pixel) == Some(thing))
     }
@@ -72,7 +72,7 @@ impl Truth {
         self.things.iter().filter(|shown| **shown == thing).count()
     }
 
-    /// Whether a point of the ground frame is on the carpet.
+    /// Returns whether a point of the ground frame is on the carpet.
     pub(super) fn is_carpet(&self, ground: Vec2) -> bool {
         let place = self.pose.place(ground).abs();
         place.x < FIELD.carpet_corner().x && place.y < FIELD.carpet_corner().y

@@ -43,8 +43,9 @@ impl Rng32 {
 }
 
 impl View {
-    /// View of a number: a random pose on the field with a goalkeeper and four more robots, the ball at 0.2 to 3.5 m,
-    /// and a random head direction; every third view is from the bottom camera. `None` if an object would be in a goal.
+    /// Creates the view of a number: a random pose on the field with a goalkeeper and four more robots, the ball at 0.2
+    /// to 3.5 m, and a random head direction. Every third view is from the bottom camera. `None` if an object would be
+    /// in a goal.
     pub(crate) fn new(number: u64) -> Option<Self> {
         let mut rng = Rng32(Pcg32::new(number, 2009));
         let setup = Setup { seed: number, robots: 4, start: Some(rng.start()), ..Setup::default() };
