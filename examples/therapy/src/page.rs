@@ -26,7 +26,7 @@ struct Chosen(Option<PathBuf>);
 #[derive(Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case")]
 enum Message {
-    /// The session of this world: its title, what it does, and the sessions beside it.
+    /// Reads the session of this world: its title, its steps, and the sessions in the same folder.
     Read,
     /// Checks a session before its world is opened.
     Check { file: PathBuf },

@@ -9,7 +9,7 @@ pub struct Problem {
     pub line: usize,
     /// Character of the line, from 1.
     pub column: usize,
-    /// What is wrong.
+    /// Description of the error.
     pub what: String,
     /// Words or values that are allowed there; empty if there is no list.
     pub allowed: Vec<String>,

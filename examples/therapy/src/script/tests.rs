@@ -13,7 +13,7 @@ fn steps(text: &str) -> Vec<Step> {
 fn example_has_each_kind_of_step() {
     let script = Script::parse(EXAMPLE).expect("a right script");
     assert_eq!((&*script.title, script.clips.len()), ("Arms and shoulders, gentle", 6));
-    assert_eq!(script.steps[0], Step::Volume(0.6), "below 100 it is not 0");
+    assert_eq!(script.steps[0], Step::Volume(0.6), "a volume below 100 must not become 0");
     let Some(Step::Exercise { then, .. }) = script.steps.iter().find(|step| matches!(step, Step::Exercise { .. }))
     else {
         panic!("no exercise: {script:?}");

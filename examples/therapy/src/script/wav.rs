@@ -68,7 +68,7 @@ mod tests {
         for length in [8000, 0, 0xffff_ffff, 0x7fff_fff0, 0x7fff_f000, 8001] {
             assert_eq!(seconds(&sound(length, 4, length, 8000)), Ok(1.0), "{length:#x}");
         }
-        assert_eq!(seconds(&sound(0, 3, 4000, 1)), Ok(0.5), "an odd part, and a wrong rate");
+        assert_eq!(seconds(&sound(0, 3, 4000, 1)), Ok(0.5), "a chunk of odd length, and a wrong rate in bytes");
     }
 
     #[test]

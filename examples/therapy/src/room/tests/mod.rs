@@ -166,7 +166,7 @@ fn pause_lowers_the_arms_and_repeats_what_was_begun() {
     test.stays::<Session>("paused", ms(3000));
     test.world_mut().press(Signal::Chest, 0.2);
     test.reaches::<Session>("waiting", ms(50));
-    assert_eq!(test.tree().get::<Session>().at(), 1, "the first movement begins anew");
+    assert_eq!(test.tree().get::<Session>().at(), 1, "the session repeats the first movement");
 }
 
 #[test]
