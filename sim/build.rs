@@ -1,6 +1,6 @@
 //! Search path of MuJoCo's library for the feature `mujoco`.
 
-// A link to that of `body/`: a package contains no file of another one.
+// A symbolic link to the file in `body/`, because a package must not contain a file of another one.
 mod rpath;
 
 fn main() {

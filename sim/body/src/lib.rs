@@ -30,7 +30,7 @@ pub const CYCLE: Duration = Duration::from_millis(10);
 /// Period of the control cycle, s.
 pub const CYCLE_SECONDS: f32 = 0.01;
 
-/// Whether the robot stands or has fallen.
+/// Posture of the robot: standing or fallen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Posture {
     /// On its feet.

@@ -34,5 +34,5 @@ fn second_model_stands_measures_and_turns_its_head() {
         assert!((angle - targets[joint]).abs() < 0.06, "{joint:?} is at {angle}, not {}", targets[joint]);
     }
     let camera = SpectatorCamera { eye: Vec3::new(2.0, 0.0, 0.6), target: Vec3::new(0.0, 0.0, 0.3) };
-    world.render_from(&camera, 64, 48).expect("its looks are an MJCF file");
+    world.render_from(&camera, 64, 48).expect("the shells are in an MJCF file");
 }

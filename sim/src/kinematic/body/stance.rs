@@ -94,7 +94,8 @@ impl Stance {
         self.other.translation += glam::Vec3A::from(by.extend(0.0));
     }
 
-    /// Makes the other foot the support foot where it was one cycle ago, when it still had its distance to the old one.
+    /// Makes the other foot the support foot, at its pose of one cycle ago. At that time it still had its distance to
+    /// the old support foot.
     fn switch_support(&mut self, slip: Pose2) {
         self.support = self.support.other();
         self.anchor = ground_pose(&self.other);
