@@ -134,7 +134,7 @@ fn estimates_of_components_that_do_not_run_are_old() {
         ]
     };
     let all = |test: &Test| known(test) == [true; 5];
-    test.until("everything is known", Duration::from_secs(40), all);
+    test.until("all estimates are known", Duration::from_secs(40), all);
     test.tree_mut().hold::<Player>(Hold::Latent);
     for (index, id) in [
         (0, Forward::id::<BallDetector>()),

@@ -265,7 +265,7 @@ fn frozen_black_and_white_images_are_faults() {
     assert_eq!(seen(40, |image, at| noise(image / 20, at)), None, "two pictures");
     assert_eq!(seen(40, |image, at| noise(image, at) - 90), Some(Fault::DarkImage));
     assert_eq!(seen(40, |image, at| noise(image, at) + 140), Some(Fault::BrightImage));
-    assert_eq!(seen(40, |_, _| 16), Some(Fault::DarkImage), "black without noise");
+    assert_eq!(seen(40, |_, _| 16), Some(Fault::DarkImage), "a black image without noise");
     assert_eq!(Glimpse::of(&[]), None);
 }
 
@@ -295,7 +295,7 @@ fn gyroscope_offset_at_rest_is_a_fault() {
     for axis in [Vec3::X, -Vec3::Y, Vec3::Z] {
         assert_eq!(fault(0.2 * axis, false), Some(Fault::GyroOffset), "{axis}");
         assert_eq!(fault(0.2 * axis, true), None, "it walks");
-        assert_eq!(fault(0.02 * axis, false), None, "the drift of a cheap one");
+        assert_eq!(fault(0.02 * axis, false), None, "the drift of a cheap gyroscope is no fault");
     }
     assert!(Fault::GyroOffset.is_temporary() && Fault::FrozenImage.is_temporary());
 }

@@ -77,7 +77,7 @@ fn right_kicks_mirror_left_kicks() {
 
 /// Contact of the foot with a ball.
 struct Hit {
-    /// Whether it happens in the strike phase.
+    /// Whether the contact happens in the strike phase.
     in_strike: bool,
     /// Velocity of the contact point on the foot, m/s, ground frame.
     velocity: Vec2,

@@ -57,7 +57,7 @@ impl Program {
     fn solve(&self) -> SVector<f64, N> {
         let choices = (0..3_usize.pow(BOUNDED as u32)).map(|code| [code % 3, code / 3 % 3, code / 9]);
         let points = choices.filter_map(|active| self.point(active)).filter(|x| self.is_within(x));
-        points.min_by(|a, b| self.cost(a).total_cmp(&self.cost(b))).expect("bounds with values between them")
+        points.min_by(|a, b| self.cost(a).total_cmp(&self.cost(b))).expect("the bounds admit a solution")
     }
 
     /// Stationary point; each bounded variable is free (0), at its lower bound (1), or at its upper bound (2).

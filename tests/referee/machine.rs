@@ -170,10 +170,10 @@ fn whistle_begins_the_game_while_set_is_shown() {
     test.robot.cycles(4);
     assert_eq!(test.state(), "playing");
     test.order(Order::Set);
-    assert_eq!(test.state(), "playing", "set is shown up to 10 s longer");
+    assert_eq!(test.state(), "playing", "packets may show the state set up to 10 s longer");
     test.order(Order::Initial);
     test.order(Order::Set);
-    assert_eq!(test.state(), "set", "the whistle of the last kick-off");
+    assert_eq!(test.state(), "set", "the whistle belongs to the last kick-off");
 }
 
 #[test]

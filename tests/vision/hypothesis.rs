@@ -57,7 +57,7 @@ proptest! {
         let mut seen = circle(&camera, place.extend(RADIUS), RADIUS).expect("in front");
         seen.radius *= 1.0 + part;
         let found = seen.ball(&believed, RADIUS, &Errors::NAO);
-        let found = found.expect("two deviations of each are less than three of all");
+        let found = found.expect("two standard deviations of each error are less than three of their sum");
         let off = found.position - place;
         let distance = off.dot(found.covariance.try_inverse().expect("a covariance") * off);
         prop_assert!(distance < 16.0, "{distance} squared deviations");
