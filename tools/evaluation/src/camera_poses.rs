@@ -25,7 +25,7 @@ const HELP: &str = "the columns are file, r00 to r22, tx_mm, ty_mm, tz_mm and tr
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     camera_to_ground: Affine3A,
-    /// Whether distances may be computed with it.
+    /// Whether the pose is accurate enough for distances.
     pub trusted: bool,
     /// Row of the horizon in the middle of an image 320 px wide, as given in the file.
     pub horizon: Option<f32>,

@@ -11,10 +11,10 @@ use std::path::Path;
 
 use bica_app::Failure;
 
-/// Makes a folder for pictures, and its parents.
+/// Creates a folder for pictures, and its parents.
 ///
 /// # Errors
-/// If the folder cannot be made.
+/// If the folder cannot be created.
 pub fn make_folder(folder: &Path) -> Result<(), Failure> {
     let help = "name a folder that can be made, or written to, with --pictures";
     fs::create_dir_all(folder).map_err(|error| Failure::of_path("make the folder", folder, &error, help))

@@ -2,7 +2,7 @@
 
 use bica_app::interrupt;
 
-/// What the loop of a game does next.
+/// Next step of a game's loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NextStep {
     /// One cycle.

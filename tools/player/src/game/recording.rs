@@ -78,7 +78,7 @@ pub(crate) struct GameRecorder {
 }
 
 impl GameRecorder {
-    /// Makes the file and writes its header.
+    /// Creates the file and writes its header.
     pub(crate) fn new(
         options: Option<RecordOptions<'_>>,
         rules: &Rules,

@@ -105,7 +105,7 @@ fn profiles_are_loaded_by_name_or_from_files() {
         ran.lines()[0]["ball"].is_object()
     };
     assert!(sees("built-in") && sees("nao2009") && sees(&path("hall.toml")));
-    assert!(!sees("darwin2013"), "its carpet is greener");
+    assert!(!sees("darwin2013"), "the carpet of this profile is greener");
     assert!(!sees(&path("all.bin")), "a table without orange");
     let refused = |profile: &str, words: &[&str]| {
         let ran = process::refused(&["see", folder.text(), "--profile", profile], words);
