@@ -45,7 +45,7 @@ struct Body {
 /// and a third one is complete.
 ///
 /// # Errors
-/// If a detector runs on a part of an image or misses a complete one, if the ball, which each image shows, is lost, or
+/// If a detector runs on a part of an image or on no complete one, if the ball, which each image shows, is lost, or
 /// if images are miscounted.
 pub(crate) fn check(image: &Path, frame: Frame) -> Result<(), Box<dyn Error>> {
     let log = session::log_path(image, "images", Transport::Pipe);

@@ -111,7 +111,7 @@ pub(super) enum LinkAction {
     },
 }
 
-/// Data to watch besides states and outputs; a microcontroller does not offer them.
+/// Data to watch besides states and outputs; a microcontroller does not offer it.
 #[derive(Clone, Debug, Args)]
 pub(super) struct WatchExtras {
     /// Print the conditions of the transitions of a component; may be given several times

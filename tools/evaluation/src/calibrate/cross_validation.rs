@@ -60,7 +60,7 @@ pub(super) fn fit_class(class: Colour, samples: &[Sample]) -> Option<FittedClass
 }
 
 /// Thresholds of a class without samples: those of the base profile, with the minimum saturation raised until nearly
-/// all pixels known to be of other classes are rejected.
+/// all pixels known to be of other classes are rejected. If no increase suffices, the base profile is kept.
 pub(super) fn with_raised_saturation(class: Colour, given: &Filter, samples: &[Sample]) -> Filter {
     let others = || samples.iter().filter(|sample| sample.is_not.has(class));
     let weight = |filter: &Filter| -> f64 {

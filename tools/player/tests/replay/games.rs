@@ -100,7 +100,7 @@ fn a_dropped_image_is_a_gap_in_the_replay() {
                 Channel::Blobs => postcard::from_bytes(data).expect("an image"),
                 _ => return,
             };
-            // The last record gets the number of a cycle that never comes.
+            // The blob with the identifier 8 gets the number of a cycle that never comes.
             let cycle = if record.id == 8 { Some(u64::MAX) } else { record.cycle };
             *data = postcard::to_stdvec(&BlobRecord { cycle, ..record }).expect("memory");
         };
