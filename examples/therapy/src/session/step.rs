@@ -52,7 +52,7 @@ pub enum Until {
     Signal(Signal),
 }
 
-/// Button or touch sensor: the button in the chest, the bumpers of the feet, the sensors of head and hands.
+/// What can be pressed or touched: the button in the chest, the bumpers of the feet, the sensors of head and hands.
 #[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ParamEnum)]
 pub enum Signal {

@@ -111,7 +111,7 @@ pub(super) enum LinkAction {
     },
 }
 
-/// Data to watch besides states and outputs; a microcontroller does not offer it.
+/// What is watched besides states and information; not offered by a microcontroller.
 #[derive(Clone, Debug, Args)]
 pub(super) struct WatchExtras {
     /// Print the conditions of the transitions of a component; may be given several times

@@ -36,7 +36,7 @@ fn limit(text: &str) -> Result<Split, String> {
     text.parse().map_err(|Invalid { what, help, .. }| format!("{what}: {help}"))
 }
 
-/// Data that a recording stores for each cycle.
+/// What a recording stores of each cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Images {
     /// Images, sensor values and commands; a replay needs nothing else
