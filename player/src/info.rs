@@ -18,7 +18,8 @@ pub const fn pose(pose::Pose2 { position: Vec2 { x, y }, heading }: pose::Pose2)
 }
 
 /// Returns a pose with the covariance of its position, m, and heading, rad.
-pub(crate) fn pose_with_covariance(pose: pose::Pose2, covariance: &Mat3) -> PoseWithCovariance2 {
+#[must_use]
+pub fn pose_with_covariance(pose: pose::Pose2, covariance: &Mat3) -> PoseWithCovariance2 {
     let pose::Pose2 { position: Vec2 { x, y }, heading } = pose;
     let [[xx, xy, xh], [_, yy, yh], [_, _, hh]] = covariance.to_cols_array_2d();
     PoseWithCovariance2 { x, y, heading, xx, xy, xh, yy, yh, hh }
