@@ -165,8 +165,10 @@ fn the_graph_names_the_roles_of_each_link() {
 fn roles_and_a_name_of_one_component_are_one_link() {
     let mut tree = Feeling::new();
     assert_eq!(links(&Feeling::GRAPH, 0), [(1, LinkKind::Requirement, None, Roles::NONE.with(0).with(1))]);
-    assert_eq!(runs(&mut tree, 0), ["Feet", "Watch"]);
-    assert_eq!(tree.get::<Watch>().seen, 1);
+    for cycle in 0..4 {
+        assert_eq!(runs(&mut tree, 10 * cycle), ["Feet", "Watch"], "also in steady ticks");
+    }
+    assert_eq!(tree.get::<Watch>().seen, 4);
 }
 
 #[test]
