@@ -6,8 +6,8 @@
 //! | [`Graph::mermaid`], [`Node::mermaid`] | Mermaid, which many Markdown viewers draw | dashed | solid |
 //!
 //! In the drawings of a tree a link that does not hold in all states of its component is labelled with those in which it
-//! does, and with the roles by which it is written; links with the same ends and kind are one arrow. Names and docs may hold any characters: they are escaped, and
-//! control characters, which no picture can show, become spaces.
+//! does, and with the roles by which it is written; links with the same ends and kind are one arrow. Names and docs may hold any
+//! characters: they are escaped, and control characters, which no picture can show, become spaces.
 
 use core::fmt::{Display, from_fn};
 

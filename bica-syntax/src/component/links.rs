@@ -43,7 +43,8 @@ pub fn merged<K: Copy + Into<Kind>, C>(
 
 /// The children of functions that run together, each type once if it is written alike.
 ///
-/// Two paths can name one type, and a tree can name it for a role. Only the compiler can decide that; generated code then drops the link of lower rank.
+/// Two paths can name one type, and a tree can name it for a role. Only the compiler can decide that; generated code then drops the
+/// link of lower rank.
 #[derive(Default)]
 pub struct Links {
     list: Vec<(Kind, Type)>,

@@ -106,7 +106,7 @@ fn a_ball_that_moves_away_or_is_lost_ends_a_kick() {
 }
 
 #[test]
-fn it_goes_round_the_ball_until_the_odometry_has_turned() {
+fn go_round_ends_at_the_turn_of_the_odometry() {
     let mut test = at_the_ball(None);
     reaches(&mut test, "go_round");
     let angle = test.tree().get::<GoRound>().angle();
@@ -161,7 +161,7 @@ fn it_stands_while_it_is_penalized() {
 }
 
 #[test]
-fn after_a_fall_or_a_fault_the_guard_controls_the_body() {
+fn guard_controls_the_body_after_a_fall_or_fault() {
     let mut test = game();
     scene(&mut test).fall = FallState::Falling(Direction::Front);
     reaches(&mut test, "fallen");

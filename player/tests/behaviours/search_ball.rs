@@ -51,7 +51,7 @@ fn a_far_remembered_ball_is_walked_to() {
 }
 
 #[test]
-fn who_sees_nothing_turns_until_the_circle_is_complete() {
+fn search_without_a_ball_turns_a_full_circle() {
     let mut test = search();
     for state in ["scan", "turn_around"] {
         reaches(&mut test, state);
@@ -64,7 +64,7 @@ fn who_sees_nothing_turns_until_the_circle_is_complete() {
 }
 
 #[test]
-fn an_operator_sends_it_elsewhere_and_no_path_ends_in_a_scan() {
+fn recall_without_a_path_ends_in_a_scan() {
     let mut test = search();
     reaches(&mut test, "scan");
     test.tree_mut().get_mut::<SearchBall>().search_elsewhere();
