@@ -40,7 +40,8 @@ type Loop<R> = Runner<Box<R>, Box<dyn World<R>>, Option<LinkRequests>, Observers
 
 type Observers<R> = (Option<Story>, (Option<LinkObserver<R>>, Option<Recorder>));
 
-/// Threads for the jobs of a robot: all processors but that of the loop. In a world that the program paces, results arrive when they are due.
+/// Threads for the jobs of a robot: all processors but that of the loop. In a world that the program paces, results arrive when they are
+/// due.
 pub(crate) fn workers<R: Robot>(pace: crate::world::Pace) -> Workers<R> {
     let threads = thread::available_parallelism().map_or(1, |count| count.get() - 1);
     let simulated = pace == crate::world::Pace::Program;
