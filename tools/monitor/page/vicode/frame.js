@@ -18,6 +18,9 @@ import { Trail } from './trail.js';
 
 const counted = (number, word) => `${number} ${word}${number === 1 ? '' : 's'}`;
 
+/** Number of transitions: those with a condition, and those on a state that only wait. */
+const transitionsOf = ({ component: { states, transitions } }) => transitions.length + states.reduce((sum, { arrows }) => sum + arrows.length, 0);
+
 /** All names of the machine that a text is found in. */
 const matching = (text) => {
   const own = machine.value;
@@ -99,7 +102,7 @@ export function Footer() {
   const list = problems.value;
   const shown = open.value ? list : list.slice(0, 1);
   const outside = editedOutside.value && `edited outside at ${new Date(editedOutside.value).toLocaleTimeString()}`;
-  const size = machine.value ? `${counted(machine.value.states.length, 'state')}, ${counted(machine.value.component.transitions.length, 'transition')}` : `${own.model.components.flatMap(functionsOf).length} functions`;
+  const size = machine.value ? `${counted(machine.value.states.length, 'state')}, ${counted(transitionsOf(machine.value), 'transition')}` : `${own.model.components.flatMap(functionsOf).length} functions`;
   return html`<footer class="frame-foot" aria-label="Mistakes and file" role="region">
     ${hit.value && hit.value.session === session.value?.id && html`<p class="hit-line" role="status"><b>Breakpoint</b> ${wordsOf(hit.value)} at ${(hit.value.time_us / 1e6).toFixed(2)} s${hit.value.paused ? ', the world is paused' : ''} <button class="small" aria-label="Dismiss the hit" onClick=${() => { hit.value = null; }}>×</button></p>`}
     <ul class=${open.value ? 'open' : ''}>${shown.map((one) => html`<li class=${one.level}><button class="name" onClick=${() => jump(one)}>${one.place ?? one.file ?? ''}${one.line ? `:${one.line}` : ''}</button> <span title=${one.help}>${one.text}</span>${fixesOf(one).map((fix) => html` <button class="small fix" disabled=${Boolean(held.value)} onClick=${() => mend(fix)}>${fix.label.replaceAll('`', '')}</button>`)}${one.help && open.value && html` <span class="dim">${one.help}</span>`}</li>`)}</ul>
