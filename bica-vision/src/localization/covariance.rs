@@ -15,6 +15,9 @@ const STEP: Vec3 = Vec3::new(0.03, 0.03, 0.02);
 /// Standard deviation, m and rad, that each image adds, because the errors of consecutive images are not independent.
 const IMAGE_NOISE: Vec3 = Vec3::new(0.000_24, 0.000_24, 0.000_16);
 
+/// Variances, m² and rad², of a pose of which nothing is known, and the largest ones of a covariance.
+const UNKNOWN: Vec3 = Vec3::new(25.0, 25.0, 10.0);
+
 /// Covariance of deviations from their mean; zero without deviations.
 pub(super) fn of(deviations: impl Iterator<Item = Vec3>) -> Mat3 {
     let (count, sum) = deviations.fold((0.0_f32, Mat3::ZERO), |(count, sum), deviation| {
@@ -25,11 +28,14 @@ pub(super) fn of(deviations: impl Iterator<Item = Vec3>) -> Mat3 {
 }
 
 /// Covariance after a motion over `way`, field frame, m, with these standard deviations of the position in each direction, m, and of
-/// the heading, rad: the error of the heading turns the way (Thrun, Burgard, Fox 2005, "Probabilistic Robotics", equation 7.11).
+/// the heading, rad: the error of the heading turns the way (Thrun, Burgard, Fox 2005, "Probabilistic Robotics", equation 7.11). That of
+/// an unknown pose if a variance would be larger.
 pub(super) fn after(before: &Mat3, way: Vec2, position_noise: f32, heading_noise: f32) -> Mat3 {
     let jacobian = Mat3::from_cols(Vec3::X, Vec3::Y, Vec3::new(-way.y, way.x, 1.0));
     let noise = Vec3::new(position_noise, position_noise, heading_noise);
-    jacobian * *before * jacobian.transpose() + Mat3::from_diagonal(noise * noise)
+    let after = jacobian * *before * jacobian.transpose() + Mat3::from_diagonal(noise * noise);
+    let variances = Vec3::new(after.x_axis.x, after.y_axis.y, after.z_axis.z);
+    if variances.cmple(UNKNOWN).all() { after } else { Mat3::from_diagonal(UNKNOWN) }
 }
 
 /// Covariance after an image, with the information of its sightings at a pose. Sightings that do not fit have a curvature that is no
