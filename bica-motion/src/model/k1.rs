@@ -43,8 +43,8 @@ pub const K1: &RobotModel = &RobotModel {
     stand: STAND,
     sit: booster::SIT,
     sit_stiffness: 0.3,
-    to_stand: &[Keyframe { seconds: 1.0, posture: STAND, stiffness: 0.8 }],
-    to_sit: &[Keyframe { seconds: 2.0, posture: booster::SIT, stiffness: 0.8 }],
+    to_stand: TO_STAND,
+    to_sit: TO_SIT,
     get_up: &booster_getup::K1,
     fall_postures: &booster::FALL_POSTURES,
     kinematic_profile: &PROFILE,
@@ -66,6 +66,11 @@ pub const K1: &RobotModel = &RobotModel {
 };
 
 const STAND: Joints = symmetric(0.0, booster::ARM, [0.0, 0.0, -22.596_243, 46.388_466, -23.792_225, 0.0]);
+
+/// From sitting to standing.
+const TO_STAND: &[Keyframe] = &[Keyframe { seconds: 1.0, posture: STAND, stiffness: 0.8 }];
+/// From standing to sitting.
+const TO_SIT: &[Keyframe] = &[Keyframe { seconds: 2.0, posture: booster::SIT, stiffness: 0.8 }];
 
 const fn limit(joint: Joint) -> Range {
     let (min, max) = match joint {
