@@ -63,6 +63,16 @@ fn cited_tests_and_files_exist() {
 }
 
 #[test]
+fn code_of_the_tutorial_is_that_of_its_example() {
+    let text = |name: &str| std::fs::read_to_string(pages::root().join(name)).expect("a file of the repository");
+    let (page, example) = (text("docs/arm.md"), text("examples/arm.rs"));
+    let blocks: Vec<_> = page.split("```rust\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert!(blocks.len() >= 8, "{} blocks", blocks.len());
+    let other: Vec<_> = blocks.into_iter().filter(|block| !example.contains(*block)).collect();
+    assert!(other.is_empty(), "not in the example:\n{}", other.join("\n"));
+}
+
+#[test]
 fn names_of_tests_have_at_most_50_characters() {
     let long = |page: Page| {
         let names =
