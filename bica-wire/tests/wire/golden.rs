@@ -5,7 +5,8 @@
 //! simulated world could be placed, and `Identity` got the size of the largest image. Then numbers of leases got 64 bits, and outputs
 //! their frames. Then any world could show its scenery and true state, images got the names of their cameras, and runs a result. Then
 //! lines of the log got their source, and descriptions the schemas of the robot's messages. Then modulations said whether they
-//! stop the robot, and transitions what they carry. Then links got their roles.
+//! stop the robot, and transitions what they carry. Then links got their roles, transitions the results and parameters for
+//! which they wait, and components their work.
 
 use bica_core::ComponentId;
 use bica_core::visual::SceneItem;
@@ -21,7 +22,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0x92c2_a920_62f0_dd77;
+const GOLDEN_SCHEMA: u64 = 0xb753_e9d0_6e0c_98c2;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
