@@ -20,6 +20,7 @@ mod results;
 mod role;
 mod roles;
 mod signature;
+mod waiting;
 pub mod work;
 
 pub use self::arguments::meaning;
