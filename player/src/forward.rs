@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 use bica::runner::Robot;
-use bica_motion::robot::{Command, Light, Lights, Sensors};
+use bica_motion::robot::{Command, Light, Sensors};
 
 use crate::behaviour::{
     Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
@@ -14,7 +14,8 @@ use crate::perception::{
     self, BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry,
     OwnBody, RobotDetector,
 };
-use crate::roles::{Ball, Falls, Goal, Health, Legs, Odometer, Place};
+use crate::robot;
+use crate::roles::{Ball, Carpet, Eye, Falls, Game, Goal, Health, Legs, Odometer, Place, Robots, Views};
 
 /// Chest light of a robot in the game (rules of RoboCup 2009).
 const GREEN: Light = Light(0.0, 1.0, 0.0);
@@ -34,6 +35,7 @@ macro_rules! forward {
                 roles: {
                     Ball: BallDetector, Goal: GoalDetector, Place: Localization, Odometer: Odometry,
                     Legs: Body, Falls: FallDetector, Health: HealthMonitor,
+                    Robots: RobotDetector, Carpet: FieldBoundary, Eye: CameraPose, Views: CameraInput, Game: GameState,
                 },
                 components: [
                     Player,
@@ -55,25 +57,14 @@ macro_rules! forward {
 
             fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
                 perception::pass_cycle(self);
-                let commanded = *self.get::<Motors>().commanded();
-                self.get_mut::<RobotState>().measure(sensors, &commanded);
-                self.get_mut::<HealthMonitor>().check(sensors, &commanded);
+                robot::measure(self, sensors);
                 self.get_mut::<GameState>().set_button(sensors.buttons.chest);
-                let Some(image) = &sensors.image else { return Ok(()) };
-                let angles = *self.get::<RobotState>().angles();
-                self.get_mut::<CameraInput>().receive(image, &angles)
+                robot::see(self, sensors)
             }
 
             fn act(&mut self) -> Command {
-                let stiffness = self.get::<HealthMonitor>().derated(self.get::<Motors>().stiffness());
-                let commanded = *self.get_mut::<Motors>().command(stiffness);
                 let chest = if self.get::<GameState>().playing() { GREEN } else { RED };
-                Command {
-                    targets: commanded.targets,
-                    stiffness: commanded.stiffness,
-                    lights: Lights { chest, ..Lights::default() },
-                    camera: self.get::<CameraSelector>().selected(),
-                }
+                robot::command(self, chest)
             }
         }
     };

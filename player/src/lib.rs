@@ -19,12 +19,15 @@ pub mod behaviour;
 mod forward;
 pub mod info;
 pub mod input;
+#[cfg(feature = "league")]
+pub mod league;
 pub mod model;
 pub mod motion;
 pub mod output;
 pub mod perception;
 #[cfg(feature = "referee")]
 pub mod referee;
+pub mod robot;
 pub mod roles;
 pub mod strategy;
 

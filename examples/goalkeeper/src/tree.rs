@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 use bica::runner::Robot;
-use bica_motion::robot::{Command, Lights, Sensors};
+use bica_motion::robot::{Command, Light, Sensors};
 use bica_player::behaviour::{FaceBall, Fixmove, FollowBall, SafetyGuard, SearchBall};
 use bica_player::input::{CameraInput, Colours, FrameTooLarge, GameState, HealthMonitor, RobotProfile, RobotState};
 use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
@@ -11,7 +11,8 @@ use bica_player::perception::{
     self, BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry,
     OwnBody, RobotDetector,
 };
-use bica_player::roles::{Ball, Falls, Health, Legs, Odometer, Place};
+use bica_player::robot;
+use bica_player::roles::{Ball, Carpet, Eye, Falls, Game, Health, Legs, Odometer, Place, Robots, Views};
 
 use crate::Goalkeeper;
 use crate::skills::{BallPath, Dive, FieldPose, GuardPost};
@@ -26,6 +27,7 @@ activation_tree! {
         roles: {
             Ball: BallDetector, Place: Localization, Odometer: Odometry,
             Legs: Body, Falls: FallDetector, Health: HealthMonitor,
+            Robots: RobotDetector, Carpet: FieldBoundary, Eye: CameraPose, Views: CameraInput, Game: GameState,
         },
         components: [
             Goalkeeper,
@@ -47,23 +49,12 @@ impl Robot for Keeper {
 
     fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
         perception::pass_cycle(self);
-        let commanded = *self.get::<Motors>().commanded();
-        self.get_mut::<RobotState>().measure(sensors, &commanded);
-        self.get_mut::<HealthMonitor>().check(sensors, &commanded);
+        robot::measure(self, sensors);
         self.get_mut::<GameState>().set_button(sensors.buttons.chest);
-        let Some(image) = &sensors.image else { return Ok(()) };
-        let angles = *self.get::<RobotState>().angles();
-        self.get_mut::<CameraInput>().receive(image, &angles)
+        robot::see(self, sensors)
     }
 
     fn act(&mut self) -> Command {
-        let stiffness = self.get::<HealthMonitor>().derated(self.get::<Motors>().stiffness());
-        let commanded = *self.get_mut::<Motors>().command(stiffness);
-        Command {
-            targets: commanded.targets,
-            stiffness: commanded.stiffness,
-            lights: Lights::default(),
-            camera: self.get::<CameraSelector>().selected(),
-        }
+        robot::command(self, Light::default())
     }
 }

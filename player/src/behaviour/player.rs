@@ -4,9 +4,8 @@ use bica::prelude::*;
 use bica_motion::kick::Kick;
 
 use super::{Dribble, FaceBall, Fixmove, FollowBall, GoRound, SafetyGuard, SearchBall, SearchNet};
-use crate::input::{GameState, RobotProfile, RobotState};
-use crate::perception::RobotDetector;
-use crate::roles::{Ball, Falls, Goal, Health, Legs, Odometer, Place};
+use crate::input::{RobotProfile, RobotState};
+use crate::roles::{Ball, Falls, Game, Goal, Health, Legs, Odometer, Place, Robots};
 use crate::strategy::{Clearance, DribbleCondition, Plan, Planning, Situation, Strike, can_dribble, plan};
 
 /// The forward of RoboCup 2009.
@@ -34,7 +33,7 @@ impl Player {
 
     /// Walks to the ball and remembers other robots on the way.
     #[state]
-    fn approach(&mut self, _follow: &mut FollowBall, _robots: &RobotDetector) {}
+    fn approach(&mut self, _follow: &mut FollowBall, _robots: &impl Robots) {}
 
     /// Stands at the ball and searches for the goal.
     #[state]
@@ -88,7 +87,7 @@ impl Player {
     }
 
     #[transition(look_for_ball | approach | search_net | go_round | kick | dribble | blind -> penalized)]
-    fn sent_off(&self, game: &GameState, state: &RobotState) -> bool {
+    fn sent_off(&self, game: &impl Game, state: &RobotState) -> bool {
         !game.playing() && state.may_stop()
     }
 
@@ -104,7 +103,7 @@ impl Player {
     }
 
     #[transition(penalized -> look_for_ball)]
-    fn let_in(&self, game: &GameState) -> bool {
+    fn let_in(&self, game: &impl Game) -> bool {
         game.playing()
     }
 
@@ -154,7 +153,7 @@ impl Player {
         ball: &impl Ball,
         goal: &impl Goal,
         field: &impl Place,
-        robots: &RobotDetector,
+        robots: &impl Robots,
         profile: &RobotProfile,
     ) {
         let (kicks, failed) = (&profile.get().kicks, self.last_failed_kick);

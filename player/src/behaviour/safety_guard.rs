@@ -8,9 +8,9 @@ use bica_motion::keyframes::{Keyframe, Motion};
 use bica_motion::model::RobotModel;
 
 use crate::MODEL;
-use crate::input::{GameState, RobotState};
+use crate::input::RobotState;
 use crate::output::Motors;
-use crate::roles::{Falls, Health, Legs};
+use crate::roles::{Falls, Game, Health, Legs};
 
 /// Controls the body after a fall or a fault. A falling robot takes a protective posture and then gets up, from the
 /// front or from the back; after a failed attempt with another movement. A robot with a fault stops and sits down:
@@ -156,7 +156,7 @@ impl SafetyGuard {
     }
 
     #[transition(brace -> get_up)]
-    fn lies(&self, falls: &impl Falls, health: &impl Health, game: &GameState) -> bool {
+    fn lies(&self, falls: &impl Falls, health: &impl Health, game: &impl Game) -> bool {
         matches!(falls.state(), FallState::Fallen(_)) && health.fault().is_none() && game.playing()
     }
 
@@ -172,7 +172,7 @@ impl SafetyGuard {
     }
 
     #[transition(rest -> brace, after_ms = 500)]
-    fn has_rested(&self, health: &impl Health, game: &GameState) -> bool {
+    fn has_rested(&self, health: &impl Health, game: &impl Game) -> bool {
         health.fault().is_none() && game.playing()
     }
 

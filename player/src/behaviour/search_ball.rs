@@ -13,8 +13,7 @@ use super::search::{GLANCES, Search};
 use crate::info;
 use crate::motion::{Head, SideChoice};
 use crate::output::CameraSelector;
-use crate::perception::{CameraPose, FieldBoundary, RobotDetector};
-use crate::roles::{Ball, Legs, Odometer, Place};
+use crate::roles::{self, Ball, Carpet, Eye, Legs, Odometer, Place, Robots};
 use crate::strategy::{Strip, Viewpoints, free_path};
 
 /// Largest tangent of the angle to a place that is ahead.
@@ -162,9 +161,9 @@ impl SearchBall {
         tuned: &Tuned<Search>,
         strip: &Tuned<Strip>,
         _ball: &impl Ball,
-        boundary: &FieldBoundary,
-        camera: &CameraPose,
-        robots: &RobotDetector,
+        boundary: &impl Carpet,
+        camera: &impl Eye,
+        robots: &impl Robots,
         odometry: &impl Odometer,
         head: &mut Head,
         selector: &mut CameraSelector,
@@ -191,9 +190,9 @@ impl SearchBall {
         tuned: &Tuned<Search>,
         strip: &Tuned<Strip>,
         _ball: &impl Ball,
-        boundary: &FieldBoundary,
-        camera: &CameraPose,
-        robots: &RobotDetector,
+        boundary: &impl Carpet,
+        camera: &impl Eye,
+        robots: &impl Robots,
         odometry: &impl Odometer,
         head: &mut Head,
         selector: &mut CameraSelector,
@@ -243,9 +242,10 @@ impl SearchBall {
         let (at, way) = if let Some(at) = sighting.filter(|at| at.length() > tuned.view_distance) {
             (at, at.length() - 0.5 * tuned.view_distance)
         } else if let Some(pose) = field.pose() {
-            self.searched.note(tuned.view_distance, pose.position);
+            self.searched.note(field.field(), tuned.view_distance, pose.position);
             let cost = |at: Vec2| sighting.map_or_else(|| tuned.time_to(at), |sighting| sighting.distance(at));
-            let at = pose.locate(self.searched.next(tuned.view_distance, |place| cost(pose.locate(place))));
+            let at =
+                pose.locate(self.searched.next(field.field(), tuned.view_distance, |place| cost(pose.locate(place))));
             (at, at.length())
         } else {
             return;
@@ -339,9 +339,8 @@ impl SearchBall {
     }
 }
 
-fn path_ahead(strip: &Strip, boundary: &FieldBoundary, camera: &CameraPose, robots: &RobotDetector) -> f32 {
-    let robots = robots.places().map(|place| place.position);
-    free_path(boundary, camera, robots, strip)
+fn path_ahead(strip: &Strip, boundary: &impl Carpet, camera: &impl Eye, robots: &impl Robots) -> f32 {
+    free_path(boundary, camera, roles::positions(robots), strip)
 }
 
 #[cfg(test)]

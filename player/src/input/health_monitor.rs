@@ -6,10 +6,11 @@ use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::model::RobotModel;
 use bica_motion::robot::{Sensors, plausible_temperature};
 
-use super::{CameraInput, RobotState};
+use super::RobotState;
 use crate::MODEL;
 use crate::output::JointCommand;
 use crate::perception::Odometry;
+use crate::roles::Views;
 
 /// Reaction to a fault.
 #[derive(Params)]
@@ -61,7 +62,7 @@ impl HealthMonitor {
         &mut self,
         tuned: &Tuned<FaultReaction>,
         time: &Time,
-        input: &CameraInput,
+        input: &impl Views,
         state: &RobotState,
         odometry: &Odometry,
     ) {
@@ -129,6 +130,7 @@ impl HealthMonitor {
 
 #[cfg(test)]
 mod tests {
+    use crate::input::CameraInput;
     use bica_motion::robot::{Buttons, FootPressure, Inertial};
 
     use super::*;

@@ -171,6 +171,12 @@ impl BallDetector {
         self.seen().map(|seen| seen.ball.confidence)
     }
 
+    /// The camera whose newest image shows the ball.
+    #[must_use]
+    pub fn camera(&self) -> Option<CameraId> {
+        self.seen().map(|seen| seen.camera)
+    }
+
     /// Whether the ball was in the last images: in two, unless a parameter says otherwise.
     #[info]
     #[must_use]
@@ -227,6 +233,12 @@ impl BallDetector {
     /// Confidence in the position, 0 to 1.
     #[info]
     const fn position_confidence(&self) -> f32 {
+        self.confidence()
+    }
+
+    /// Confidence in the remembered position, 0 to 1.
+    #[must_use]
+    pub const fn confidence(&self) -> f32 {
         self.memory().confidence()
     }
 

@@ -4,7 +4,7 @@ use bica::{Instant, Time};
 use bica_motion::pose::Pose2;
 
 use super::Odometry;
-use crate::input::CameraInput;
+use crate::roles::Views;
 
 /// Number of cycles up to which an estimate counts, half a second at 100 Hz: some missed images or runs do not matter, and the robot
 /// walks 0.1 m at most.
@@ -13,51 +13,51 @@ const MAX_AGE: u8 = 50;
 /// Age of an estimate. A component that is held latent, whose rate is 0, or that gets no images cannot age its own estimates, so the
 /// robot's `sense` counts the cycles (`perception::pass_cycle`), and what readers get is `None` if the estimate is old.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Age(u8);
+pub(crate) struct Age(u8);
 
 impl Age {
     /// Age of what was never estimated.
-    pub(super) const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self(u8::MAX)
     }
 
     /// Counts a cycle.
-    pub(super) const fn pass_cycle(&mut self) {
+    pub(crate) const fn pass_cycle(&mut self) {
         self.0 = self.0.saturating_add(1);
     }
 
     /// Notes that the estimate is up to date.
-    pub(super) const fn renew(&mut self) {
+    pub(crate) const fn renew(&mut self) {
         self.0 = 0;
     }
 
     /// Whether the estimate is of this cycle.
-    pub(super) const fn is_new(self) -> bool {
+    pub(crate) const fn is_new(self) -> bool {
         self.0 == 0
     }
 
     /// Whether a reader may use the estimate.
-    pub(super) const fn is_fresh(self) -> bool {
+    pub(crate) const fn is_fresh(self) -> bool {
         self.0 <= MAX_AGE
     }
 }
 
 /// The newest image that a component has processed.
 #[derive(Debug)]
-pub(super) struct LastImage {
+pub(crate) struct LastImage {
     count: u32,
-    pub(super) age: Age,
+    pub(crate) age: Age,
 }
 
 impl LastImage {
     /// Creates a value without an image.
-    pub(super) const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self { count: 0, age: Age::new() }
     }
 
     /// Whether there is an image that the component has not processed; marks it as processed. An image whose memory is
     /// taken counts as processed.
-    pub(super) const fn take_new(&mut self, input: &CameraInput) -> bool {
+    pub(crate) fn take_new(&mut self, input: &impl Views) -> bool {
         let is_new = self.count != input.count() && input.has_image();
         self.count = input.count();
         if is_new {
@@ -69,7 +69,7 @@ impl LastImage {
 
 /// Motion of the robot between two runs of a component that remembers positions relative to the robot.
 #[derive(Debug)]
-pub(super) struct EgoMotion {
+pub(crate) struct EgoMotion {
     /// The robot's pose at the last run, in the frame of the odometry.
     pose: Pose2,
     /// Time of the last run.
@@ -80,18 +80,18 @@ pub(super) struct EgoMotion {
 
 impl EgoMotion {
     /// Creates a value at the origin of the odometry, for the first run.
-    pub(super) const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self { pose: Pose2::ORIGIN, at: None, age: Age::new(), image: LastImage::new() }
     }
 
     /// Counts a cycle.
-    pub(super) const fn pass_cycle(&mut self) {
+    pub(crate) const fn pass_cycle(&mut self) {
         self.age.pass_cycle();
         self.image.age.pass_cycle();
     }
 
     /// Brings the remembered positions up to date.
-    pub(super) const fn renew(&mut self) {
+    pub(crate) const fn renew(&mut self) {
         self.age.renew();
     }
 
@@ -100,11 +100,11 @@ impl EgoMotion {
     /// `remembered` is called with the robot's new pose in the frame of its pose at the last run, and the time since then, s, in
     /// which the component may have been latent. Without odometry the time is infinite: positions relative to a robot that may
     /// have walked must be forgotten.
-    pub(super) fn begin_run(
+    pub(crate) fn begin_run(
         &mut self,
         time: &Time,
         odometry: &Odometry,
-        input: &CameraInput,
+        input: &impl Views,
         remembered: impl FnOnce(Pose2, f32),
     ) -> bool {
         let (motion, seconds) = self.motion(time, odometry);
@@ -125,17 +125,17 @@ impl EgoMotion {
     }
 
     /// Whether the remembered positions are those relative to the robot's present pose.
-    pub(super) const fn is_fresh(&self) -> bool {
+    pub(crate) const fn is_fresh(&self) -> bool {
         self.age.is_fresh()
     }
 
     /// Whether the newest image was processed a short time ago.
-    pub(super) const fn has_image(&self) -> bool {
+    pub(crate) const fn has_image(&self) -> bool {
         self.image.age.is_fresh()
     }
 
     /// The pose at the last run, in the frame of the odometry.
-    pub(super) const fn pose(&self) -> Pose2 {
+    pub(crate) const fn pose(&self) -> Pose2 {
         self.pose
     }
 }

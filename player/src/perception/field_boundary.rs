@@ -4,9 +4,9 @@ use bica::prelude::*;
 use bica::visual::ImagePolyline;
 use bica_vision::field_boundary::{BoundaryTuning, COLUMNS, FieldBoundary as Line};
 use bica_vision::frame::Frame;
+use bica_vision::projection::Camera;
 use glam::Vec2;
 
-use super::CameraPose;
 use super::ego_motion::LastImage;
 use crate::info;
 use crate::input::{CameraInput, Colours};
@@ -79,12 +79,11 @@ impl FieldBoundary {
         ImagePolyline { points: self.line.corners().iter().copied().map(info::pixel).collect() }
     }
 
-    /// Whether the newest image shows the field at a position in the ground frame between the feet, m; see
+    /// Whether the newest image, which `camera` took, shows the field at a position in the ground frame between the feet, m; see
     /// [`Line::shows_field`]. False if there was no image for half a second.
     #[must_use]
-    pub fn is_on_field(&self, camera: &CameraPose, at: Vec2) -> bool {
-        let camera = camera.camera().filter(|_| self.image.age.is_fresh());
-        camera.is_some_and(|camera| self.line.shows_field(camera, at))
+    pub fn is_on_field(&self, camera: &Camera, at: Vec2) -> bool {
+        self.image.age.is_fresh() && self.line.shows_field(camera, at)
     }
 
     /// The boundary.

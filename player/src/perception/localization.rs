@@ -4,7 +4,7 @@ mod params;
 
 use bica::prelude::*;
 use bica::visual::{self, Point2, PoseWithCovariance2};
-use bica_field::FIELD;
+use bica_field::{FIELD, FieldDimensions};
 use bica_motion::pose::Pose2;
 use bica_vision::localization::{Estimate, Localizer, Sightings};
 use glam::Vec2;
@@ -108,5 +108,11 @@ impl Localization {
     pub fn posts(&self) -> Option<[Vec2; 2]> {
         let pose = self.pose()?;
         Some(FIELD.goal_posts(true).map(|post| pose.locate(post)))
+    }
+
+    /// The field.
+    #[must_use]
+    pub const fn field(&self) -> &'static FieldDimensions {
+        &FIELD
     }
 }

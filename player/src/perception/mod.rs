@@ -3,7 +3,7 @@
 mod ball_detector;
 mod bearing;
 mod camera_pose;
-mod ego_motion;
+pub(crate) mod ego_motion;
 mod fall_detector;
 mod field_boundary;
 mod field_lines;

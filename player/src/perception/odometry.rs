@@ -89,7 +89,7 @@ impl Odometry {
     }
 
     /// Counts a cycle since the last run.
-    pub(super) const fn pass_cycle(&mut self) {
+    pub(crate) const fn pass_cycle(&mut self) {
         self.age.pass_cycle();
     }
 

@@ -84,6 +84,12 @@ impl RobotDetector {
         self.memory.places().filter(|_| self.ego_motion.is_fresh())
     }
 
+    /// The position of one of the remembered robots, by its index from 0; `None` after the last one.
+    #[must_use]
+    pub fn place(&self, index: usize) -> Option<PositionEstimate> {
+        self.places().nth(index)
+    }
+
     /// Positions of the remembered robots.
     #[info(unit = "m", frame = "robot")]
     fn robot_positions(&self) -> List<Point2, REMEMBERED> {

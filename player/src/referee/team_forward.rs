@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 use bica::runner::Robot;
-use bica_motion::robot::{Command, Light, Lights};
+use bica_motion::robot::Light;
 
 use super::{FieldPose, GameController, GoTo, Order, Reporter, TeamCommand, TeamPlayer, TeamSensors, Whistle};
 use crate::behaviour::{
@@ -15,7 +15,8 @@ use crate::perception::{
     self, BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry,
     OwnBody, RobotDetector,
 };
-use crate::roles::{Ball, Falls, Goal, Health, Legs, Odometer, Place};
+use crate::robot;
+use crate::roles::{Ball, Carpet, Eye, Falls, Game, Goal, Health, Legs, Odometer, Place, Robots, Views};
 
 activation_tree! {
     /// The forward in a team: a referee commands it through the `GameController`.
@@ -27,6 +28,7 @@ activation_tree! {
         roles: {
             Ball: BallDetector, Goal: GoalDetector, Place: Localization, Odometer: Odometry,
             Legs: Body, Falls: FallDetector, Health: HealthMonitor,
+            Robots: RobotDetector, Carpet: FieldBoundary, Eye: CameraPose, Views: CameraInput, Game: GameState,
         },
         components: [
             TeamPlayer, Player,
@@ -49,27 +51,17 @@ impl Robot for TeamForward {
     fn sense(&mut self, sensors: &TeamSensors<'_>) -> Result<(), FrameTooLarge> {
         let TeamSensors { body, me, packet, ignored } = sensors;
         perception::pass_cycle(self);
-        let commanded = *self.get::<Motors>().commanded();
-        self.get_mut::<RobotState>().measure(body, &commanded);
-        self.get_mut::<HealthMonitor>().check(body, &commanded);
+        robot::measure(self, body);
         let game = self.get_mut::<GameController>();
         game.receive(*me, packet.as_ref(), *ignored);
         let penalizes = game.take_button(body.buttons.chest);
         self.get_mut::<GameState>().set_button(penalizes);
-        let Some(image) = &body.image else { return Ok(()) };
-        let angles = *self.get::<RobotState>().angles();
-        self.get_mut::<CameraInput>().receive(image, &angles)
+        robot::see(self, body)
     }
 
     fn act(&mut self) -> TeamCommand {
-        let stiffness = self.get::<HealthMonitor>().derated(self.get::<Motors>().stiffness());
-        let commanded = *self.get_mut::<Motors>().command(stiffness);
-        let body = Command {
-            targets: commanded.targets,
-            stiffness: commanded.stiffness,
-            lights: Lights { chest: light(self.get::<GameController>().order()), ..Lights::default() },
-            camera: self.get::<CameraSelector>().selected(),
-        };
+        let chest = light(self.get::<GameController>().order());
+        let body = robot::command(self, chest);
         TeamCommand { body, answer: self.get_mut::<Reporter>().take() }
     }
 }

@@ -5,15 +5,20 @@
 mod provided;
 
 use bica::prelude::*;
+use bica_field::FieldDimensions;
 use bica_motion::fall::FallState;
-use bica_motion::health::Fault;
+use bica_motion::health::{Fault, Glimpse};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use bica_motion::walk::Velocity;
+use bica_vision::memory::PositionEstimate;
+use bica_vision::projection::Camera;
 use glam::Vec2;
 
 use crate::perception::Bearing;
+#[cfg(feature = "league")]
+pub(crate) use provided::provide;
 
 /// The ball, as the robot sees and remembers it.
 #[role]
@@ -70,6 +75,57 @@ pub trait Place {
 
     /// Left and right post of the attacked goal, m, in the ground frame between the feet; `None` if the pose is not known.
     fn posts(&self) -> Option<[Vec2; 2]>;
+
+    /// The field.
+    fn field(&self) -> &'static FieldDimensions;
+}
+
+/// The other robots.
+#[role]
+pub trait Robots {
+    /// The position of the robot of an index from 0, m, in the ground frame between the feet of this robot; `None` after the last one,
+    /// and if the motion of this robot is not known.
+    fn place(&self, index: usize) -> Option<PositionEstimate>;
+}
+
+/// The positions of the other robots, m, in the ground frame between the feet of this robot.
+pub(crate) fn positions(robots: &impl Robots) -> impl Iterator<Item = Vec2> + '_ {
+    (0..).map_while(|index| robots.place(index)).map(|place| place.position)
+}
+
+/// The end of the field.
+#[role]
+pub trait Carpet {
+    /// Whether a position in the ground frame between the feet, m, is on the field as far as the robot knows; `camera` took the newest
+    /// image.
+    fn shows(&self, camera: Option<&Camera>, at: Vec2) -> bool;
+}
+
+/// The camera that took the newest image.
+#[role]
+pub trait Eye {
+    /// The camera with its pose in the ground frame; `None` if there was no image for half a second, or the robot gets no images.
+    fn camera(&self) -> Option<&Camera>;
+}
+
+/// What the cameras take, as images or as what is in view.
+#[role]
+pub trait Views {
+    /// Number of views so far; it identifies the newest one.
+    fn count(&self) -> u32;
+
+    /// Whether the newest view can be processed.
+    fn has_image(&self) -> bool;
+
+    /// What the health monitor compares of the newest view; `None` if there is no view.
+    fn glimpse(&self) -> Option<Glimpse>;
+}
+
+/// The game, by what its referee says.
+#[role]
+pub trait Game {
+    /// Whether the robot may play.
+    fn playing(&self) -> bool;
 }
 
 /// The way that the robot has walked.

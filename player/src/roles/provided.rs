@@ -1,21 +1,26 @@
 //! Components that provide the roles.
 
+use bica_field::FieldDimensions;
 use bica_motion::fall::FallState;
-use bica_motion::health::Fault;
+use bica_motion::health::{Fault, Glimpse};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use bica_motion::walk::Velocity;
+use bica_vision::memory::PositionEstimate;
+use bica_vision::projection::Camera;
 use glam::Vec2;
 
-use super::{Ball, Falls, Goal, Health, Legs, Odometer, Place};
-use crate::input::HealthMonitor;
+use super::{Ball, Carpet, Eye, Falls, Game, Goal, Health, Legs, Odometer, Place, Robots, Views};
+use crate::input::{CameraInput, GameState, HealthMonitor};
 use crate::motion::Body;
-use crate::perception::{BallDetector, Bearing, FallDetector, GoalDetector, Localization, Odometry};
+use crate::perception::{
+    BallDetector, Bearing, CameraPose, FallDetector, FieldBoundary, GoalDetector, Localization, Odometry, RobotDetector,
+};
 
 /// Implements a role by the component's own functions of the same names.
 macro_rules! provide {
-    ($role:ident by $component:ident { $(&mut $change:ident($($argument:ident: $kind:ty),*);)* $($name:ident -> $result:ty;)* }) => {
+    ($role:ident by $component:ident { $(&mut $change:ident($($argument:ident: $kind:ty),*);)* $($name:ident$(($asked:ident: $of:ty))? -> $result:ty;)* }) => {
         impl $role for $component {
             $(
                 #[inline]
@@ -25,50 +30,25 @@ macro_rules! provide {
             )*
             $(
                 #[inline]
-                fn $name(&self) -> $result {
-                    Self::$name(self)
+                fn $name(&self $(, $asked: $of)?) -> $result {
+                    Self::$name(self $(, $asked)?)
                 }
             )*
         }
     };
 }
 
-impl Ball for BallDetector {
-    #[inline]
-    fn is_looking(&self) -> bool {
-        Self::is_looking(self)
-    }
+pub(crate) use provide;
 
-    #[inline]
-    fn is_confirmed(&self) -> bool {
-        Self::is_confirmed(self)
-    }
-
-    #[inline]
-    fn is_lost(&self) -> bool {
-        Self::is_lost(self)
-    }
-
-    #[inline]
-    fn camera(&self) -> Option<CameraId> {
-        self.seen().map(|seen| seen.camera)
-    }
-
-    #[inline]
-    fn bearing(&self) -> Option<Bearing> {
-        Self::bearing(self)
-    }
-
-    #[inline]
-    fn position(&self) -> Option<Vec2> {
-        Self::position(self)
-    }
-
-    #[inline]
-    fn confidence(&self) -> f32 {
-        self.memory().confidence()
-    }
-}
+provide!(Ball by BallDetector {
+    is_looking -> bool;
+    is_confirmed -> bool;
+    is_lost -> bool;
+    camera -> Option<CameraId>;
+    bearing -> Option<Bearing>;
+    position -> Option<Vec2>;
+    confidence -> f32;
+});
 
 provide!(Goal by GoalDetector {
     &mut restart_search();
@@ -82,7 +62,36 @@ provide!(Goal by GoalDetector {
 provide!(Place by Localization {
     pose -> Option<Pose2>;
     posts -> Option<[Vec2; 2]>;
+    field -> &'static FieldDimensions;
 });
+
+provide!(Robots by RobotDetector {
+    place(index: usize) -> Option<PositionEstimate>;
+});
+
+impl Carpet for FieldBoundary {
+    #[inline]
+    fn shows(&self, camera: Option<&Camera>, at: Vec2) -> bool {
+        camera.is_some_and(|camera| self.is_on_field(camera, at))
+    }
+}
+
+provide!(Views by CameraInput {
+    count -> u32;
+    has_image -> bool;
+    glimpse -> Option<Glimpse>;
+});
+
+provide!(Game by GameState {
+    playing -> bool;
+});
+
+impl Eye for CameraPose {
+    #[inline]
+    fn camera(&self) -> Option<&Camera> {
+        Self::camera(self)
+    }
+}
 
 provide!(Odometer by Odometry {
     pose -> Pose2;

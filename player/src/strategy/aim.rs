@@ -4,7 +4,6 @@ use glam::Vec2;
 
 use super::Planning;
 use super::situation::Goal;
-use crate::FIELD;
 
 /// Number of further targets on each side of the middle of the goal.
 const OTHERS: i8 = 4;
@@ -23,7 +22,7 @@ pub(super) fn scoring(goal: &Goal, planning: &Planning) -> [Aim; 2 + 2 * OTHERS 
     let beside = planning.keeper_offset;
     let best = goal.gap.map_or([beside, -beside], |gap| [gap; 2]);
     core::array::from_fn(|i| {
-        let half = 0.5 * FIELD.goal_width() * planning.outermost_target;
+        let half = 0.5 * goal.width * planning.outermost_target;
         let aside = best.get(i).copied().unwrap_or_else(|| half * (f32::from(i as i8 - 2) / f32::from(OTHERS) - 1.0));
         let off = best.iter().map(|best| libm::fabsf(best - aside)).fold(f32::INFINITY, f32::min);
         Aim { at: goal.middle + aside * goal.across, cost: planning.offset_cost * off }

@@ -4,7 +4,7 @@ use bica::prelude::*;
 use glam::Vec2;
 use libm::fabsf;
 
-use crate::perception::{CameraPose, FieldBoundary};
+use crate::roles::{Carpet, Eye};
 
 /// Distance between two tested points of the strip, m.
 const STEP: f32 = 0.25;
@@ -25,12 +25,13 @@ pub struct Strip {
 /// Returns the distance, m, that the robot can walk straight ahead: up to the end of the field and to the nearest of `robots`,
 /// positions in the ground frame between the feet, m. At most 2.5 m.
 pub(crate) fn free_path(
-    boundary: &FieldBoundary,
-    camera: &CameraPose,
+    boundary: &impl Carpet,
+    camera: &impl Eye,
     robots: impl Iterator<Item = Vec2>,
     strip: &Strip,
 ) -> f32 {
-    path_on(|at| boundary.is_on_field(camera, at), robots, strip)
+    let camera = camera.camera();
+    path_on(|at| boundary.shows(camera, at), robots, strip)
 }
 
 fn path_on(is_on_field: impl Fn(Vec2) -> bool, robots: impl Iterator<Item = Vec2>, strip: &Strip) -> f32 {

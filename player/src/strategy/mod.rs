@@ -154,6 +154,7 @@ mod tests {
     use core::f32::consts::{FRAC_PI_2, PI};
 
     use bica::prelude::*;
+    use bica_field::FIELD;
     use bica_motion::kick::KickKind;
     use bica_motion::model::NAO;
     use glam::Vec2;
@@ -171,7 +172,7 @@ mod tests {
         let post = |side: f32| Obstacle { at: middle + 0.7 * side * across, radius: 0.05 };
         let robots = robots.iter().map(|&at| Obstacle { at, radius: 0.12 });
         let obstacles = Obstacles([post(1.0), post(-1.0)].into_iter().chain(robots).collect());
-        Situation { ball, goal: Some(Goal { middle, across, gap }), obstacles }
+        Situation { ball, goal: Some(Goal { middle, across, gap, width: FIELD.goal_width() }), obstacles }
     }
 
     fn default_plan(situation: &Situation, kicks: &Kicks, last_failed_kick: Option<Kick>) -> Plan {

@@ -7,9 +7,7 @@ use glam::Vec2;
 use libm::{ceilf, fabsf};
 
 use super::obstacles::{Clearance, Obstacle, Obstacles};
-use crate::FIELD;
-use crate::perception::RobotDetector;
-use crate::roles::{self, Ball, Place};
+use crate::roles::{self, Ball, Place, Robots};
 
 /// Angle between the tested points of the path around the ball, rad.
 const ROUND_STEP: f32 = 0.3;
@@ -31,6 +29,8 @@ pub(super) struct Goal {
     pub(super) across: Vec2,
     /// Middle of the gap beside the keeper, m to the left of the middle of the goal.
     pub(super) gap: Option<f32>,
+    /// Its width, m.
+    pub(super) width: f32,
 }
 
 impl Situation {
@@ -42,17 +42,17 @@ impl Situation {
         ball: &impl Ball,
         goal: &impl roles::Goal,
         field: &impl Place,
-        robots: &RobotDetector,
+        robots: &impl Robots,
         clearance: &Clearance,
     ) -> Option<Self> {
         let goal = Goal::of(goal, field);
         let mut obstacles = Obstacles::default();
-        let half = |goal: Goal| 0.5 * FIELD.goal_width() * goal.across;
+        let half = |goal: Goal| 0.5 * goal.width * goal.across;
         let posts = goal.into_iter().flat_map(|goal| [goal.middle + half(goal), goal.middle - half(goal)]);
-        let posts = posts.map(|at| Obstacle { at, radius: FIELD.post_radius() });
-        let robots = robots.places().map(|place| place.position);
+        let posts = posts.map(|at| Obstacle { at, radius: field.field().post_radius() });
         let (toe_distance, radius) = (clearance.robot_toe_distance, clearance.robot_radius);
-        let robots = robots.map(|toes| Obstacle { at: toes + toe_distance * toes.normalize_or_zero(), radius });
+        let robots = roles::positions(robots)
+            .map(|toes| Obstacle { at: toes + toe_distance * toes.normalize_or_zero(), radius });
         obstacles.0.extend(posts.chain(robots));
         Some(Self { ball: ball.position()?, goal, obstacles })
     }
@@ -86,7 +86,7 @@ impl Goal {
         let seen = goal.position().map(|at| (at, goal.across()));
         let (middle, across) =
             if goal.is_complete() { seen } else { localized().or(seen.filter(|_| goal.is_found())) }?;
-        Some(Self { middle, across, gap: goal.gap() })
+        Some(Self { middle, across, gap: goal.gap(), width: field.field().goal_width() })
     }
 }
 

@@ -6,11 +6,11 @@ use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
 use bica_player::behaviour::{
     Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
 };
-use bica_player::input::{CameraInput, Colours, GameState, RobotProfile, RobotState};
+use bica_player::input::{GameState, RobotProfile, RobotState};
 use bica_player::motion::{Head, Kicker};
 use bica_player::output::{CameraSelector, Motors};
-use bica_player::perception::{Bearing, CameraPose, FieldBoundary, Odometry, OwnBody, RobotDetector};
-use bica_player::roles::{Ball, Falls, Goal, Health, Legs, Odometer, Place};
+use bica_player::perception::Bearing;
+use bica_player::roles::{self, Ball, Carpet, Eye, Falls, Goal, Health, Legs, Odometer, Place, Robots};
 
 use super::*;
 
@@ -18,11 +18,13 @@ activation_tree! {
     struct Game {
         root: Player,
         cycle_hz: 100,
-        roles: { Ball: Scene, Goal: Scene, Place: Scene, Odometer: Scene, Falls: Scene, Health: Scene, Legs: Feet },
+        roles: {
+            Ball: Scene, Goal: Scene, Place: Scene, Odometer: Scene, Falls: Scene, Health: Scene, Legs: Feet,
+            Robots: Scene, Carpet: Scene, Eye: Scene, roles::Game: GameState,
+        },
         components: [
             Player, SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, SafetyGuard, FaceBall,
             Head, Kicker, CameraSelector, Motors, RobotState, RobotProfile, GameState,
-            RobotDetector, FieldBoundary, CameraPose, OwnBody, Odometry, Colours, CameraInput,
             Scene, Feet,
         ],
     }

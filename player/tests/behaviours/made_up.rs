@@ -1,6 +1,7 @@
 //! Components whose values a test sets.
 
 use bica::prelude::*;
+use bica_field::{FIELD, FieldDimensions};
 use bica_motion::fall::FallState;
 use bica_motion::health::Fault;
 use bica_motion::pose::Pose2;
@@ -10,7 +11,10 @@ use bica_motion::walk::Velocity;
 use bica_player::MODEL;
 use bica_player::motion::Request;
 use bica_player::perception::Bearing;
-use bica_player::roles::{Ball, Falls, Goal, Health, Legs, Odometer, Place};
+use bica_player::roles::{Ball, Carpet, Eye, Falls, Goal, Health, Legs, Odometer, Place, Robots};
+use bica_vision::memory::PositionEstimate;
+use bica_vision::projection::Camera;
+use bica_vision::uncertainty;
 use glam::Vec2;
 
 /// All that the behaviours see and measure.
@@ -31,6 +35,9 @@ pub(crate) struct Scene {
     pub(crate) fall: FallState,
     pub(crate) fault: Option<Fault>,
     pub(crate) must_stop: bool,
+    /// Distance to the end of the field straight ahead, m.
+    pub(crate) carpet_ahead: f32,
+    pub(crate) robot: Option<Vec2>,
 }
 
 #[component]
@@ -51,6 +58,8 @@ impl Scene {
             fall: FallState::Upright,
             fault: None,
             must_stop: false,
+            carpet_ahead: 0.0,
+            robot: None,
         }
     }
 
@@ -121,6 +130,29 @@ impl Place for Scene {
     }
 
     fn posts(&self) -> Option<[Vec2; 2]> {
+        None
+    }
+
+    fn field(&self) -> &'static FieldDimensions {
+        &FIELD
+    }
+}
+
+impl Robots for Scene {
+    fn place(&self, index: usize) -> Option<PositionEstimate> {
+        let position = self.robot.filter(|_| index == 0)?;
+        Some(PositionEstimate { position, covariance: uncertainty::round(0.1) })
+    }
+}
+
+impl Carpet for Scene {
+    fn shows(&self, _camera: Option<&Camera>, at: Vec2) -> bool {
+        at.x <= self.carpet_ahead
+    }
+}
+
+impl Eye for Scene {
+    fn camera(&self) -> Option<&Camera> {
         None
     }
 }

@@ -6,7 +6,7 @@ use bica_motion::joints::Joint;
 use bica_player::behaviour::SafetyGuard;
 use bica_player::input::{GameState, RobotState};
 use bica_player::output::Motors;
-use bica_player::roles::{Falls, Health, Legs};
+use bica_player::roles::{Falls, Game, Health, Legs};
 
 use super::*;
 
@@ -14,7 +14,7 @@ activation_tree! {
     struct Guarded {
         root: SafetyGuard,
         cycle_hz: 100,
-        roles: { Falls: Scene, Health: Scene, Legs: Feet },
+        roles: { Falls: Scene, Health: Scene, Legs: Feet, Game: GameState },
         components: [SafetyGuard, Motors, RobotState, GameState, Scene, Feet],
     }
 }

@@ -1,11 +1,10 @@
 //! The search for the ball.
 
 use bica_player::behaviour::{FaceBall, SearchBall};
-use bica_player::input::{CameraInput, Colours, RobotProfile, RobotState};
+use bica_player::input::RobotState;
 use bica_player::motion::Head;
 use bica_player::output::{CameraSelector, Motors};
-use bica_player::perception::{CameraPose, FieldBoundary, Odometry, OwnBody, RobotDetector};
-use bica_player::roles::{Ball, Legs, Odometer, Place};
+use bica_player::roles::{Ball, Carpet, Eye, Legs, Odometer, Place, Robots};
 
 use super::*;
 
@@ -13,16 +12,12 @@ activation_tree! {
     struct Searching {
         root: SearchBall,
         cycle_hz: 100,
-        roles: { Ball: Scene, Odometer: Scene, Place: Scene, Legs: Feet },
-        components: [
-            SearchBall, FaceBall, Head, CameraSelector, Motors, RobotState, RobotProfile,
-            RobotDetector, FieldBoundary, CameraPose, OwnBody, Odometry, Colours, CameraInput,
-            Scene, Feet,
-        ],
+        roles: { Ball: Scene, Odometer: Scene, Place: Scene, Legs: Feet, Robots: Scene, Carpet: Scene, Eye: Scene },
+        components: [SearchBall, FaceBall, Head, CameraSelector, Motors, RobotState, Scene, Feet],
     }
 }
 
-/// A search without images: nothing is known of the way ahead.
+/// A search before the end of the field: the robot stands on its line.
 fn search() -> Harness<Searching> {
     Harness::of_box(Box::new(Searching::new()))
 }
@@ -70,4 +65,45 @@ fn recall_without_a_path_ends_in_a_scan() {
     test.tree_mut().get_mut::<SearchBall>().search_elsewhere();
     test.reaches::<SearchBall>("find_path", ms(100));
     test.reaches::<SearchBall>("scan", ms(12_100));
+}
+
+/// A search that has begun to walk ahead to another place.
+fn walking() -> Harness<Searching> {
+    let mut test = search();
+    scene(&mut test).carpet_ahead = 9.0;
+    reaches(&mut test, "scan");
+    test.tree_mut().get_mut::<SearchBall>().search_elsewhere();
+    test.reaches::<SearchBall>("find_path", ms(100));
+    test.stays::<SearchBall>("find_path", ms(450));
+    test.reaches::<SearchBall>("walk_on", ms(150));
+    test.run_for(ms(50));
+    assert!(matches!(request(&test), Request::Straight { forward, .. } if forward > 0.0));
+    test
+}
+
+#[test]
+fn walk_ends_at_the_next_place() {
+    let mut test = walking();
+    scene(&mut test).walked.position.x = 0.5;
+    test.stays::<SearchBall>("walk_on", ms(300));
+    scene(&mut test).walked.position.x = 9.0;
+    test.reaches::<SearchBall>("scan", ms(100));
+}
+
+#[test]
+fn robot_in_the_way_ends_a_walk() {
+    for (walked, state) in [(0.2, "find_path"), (0.3, "scan")] {
+        let mut test = walking();
+        scene(&mut test).walked.position.x = walked;
+        test.run_for(ms(50));
+        scene(&mut test).robot = Some(Vec2::new(0.3, 0.1));
+        test.reaches::<SearchBall>(state, ms(100));
+    }
+}
+
+#[test]
+fn robot_beside_the_way_does_not_end_a_walk() {
+    let mut test = walking();
+    scene(&mut test).robot = Some(Vec2::new(0.3, 0.8));
+    test.stays::<SearchBall>("walk_on", ms(500));
 }

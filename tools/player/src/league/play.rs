@@ -7,7 +7,7 @@ use bica::Tree;
 use bica::runner::{Runner, World};
 use bica_app::{Batch, Console, Failure, Outcome, RunArgs, interrupt};
 use bica_evaluation::statistics::percentile;
-use bica_player_t1::Forward;
+use bica_player::league::Forward;
 use bica_recording::{Recording, ReplayOptions, ReplayReport};
 use serde::Serialize;
 

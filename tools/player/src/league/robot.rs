@@ -6,11 +6,13 @@ use bica::{Setting, Tree};
 use bica_app::App;
 #[cfg(feature = "mujoco")]
 use bica_motion::pose::Pose2;
-use bica_player_t1::input::RobotProfile;
-use bica_player_t1::model::set_model;
+use bica_player::input::RobotProfile;
 #[cfg(feature = "mujoco")]
-use bica_player_t1::perception::{BallDetector, Localization, Odometry};
-use bica_player_t1::{Forward, K1_PARAMETERS, T1_PARAMETERS};
+use bica_player::league::perception::{BallDetector, Localization};
+use bica_player::league::{Forward, K1_PARAMETERS, T1_PARAMETERS};
+use bica_player::model::set_model;
+#[cfg(feature = "mujoco")]
+use bica_player::perception::Odometry;
 use bica_tuning::Layers;
 #[cfg(feature = "mujoco")]
 use glam::Vec2;

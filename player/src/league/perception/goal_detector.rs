@@ -5,11 +5,13 @@ use bica::visual::{Point2, Pose2 as VisualPose};
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
-use super::ego_motion::EgoMotion;
-use super::{CameraPose, Odometry};
-use crate::input::CameraInput;
-use crate::senses::Object;
-use crate::{FIELD, info};
+use super::CameraPose;
+use crate::info;
+use crate::league::FIELD;
+use crate::league::input::CameraInput;
+use crate::league::senses::Object;
+use crate::perception::Odometry;
+use crate::perception::ego_motion::EgoMotion;
 
 /// Sees the attacked goal (the paper's "net") and remembers its position.
 #[derive(Debug)]
@@ -48,7 +50,7 @@ impl GoalDetector {
     }
 
     /// Counts a cycle since the last run and the last image.
-    pub(super) const fn pass_cycle(&mut self) {
+    pub(crate) const fn pass_cycle(&mut self) {
         self.ego_motion.pass_cycle();
     }
 

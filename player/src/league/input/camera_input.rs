@@ -5,7 +5,7 @@ use bica_motion::health::Glimpse;
 use bica_motion::joints::{JOINTS, Joints};
 use glam::Vec3;
 
-use crate::senses::{Sight, View};
+use crate::league::senses::{Sight, View};
 
 /// The newest view, with the joint angles at which it was taken.
 #[derive(Debug)]

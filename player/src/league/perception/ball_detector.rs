@@ -9,12 +9,14 @@ use bica_vision::memory::{BallMemoryTuning, MemoryTuning, PositionEstimate};
 use bica_vision::uncertainty;
 use glam::Vec2;
 
-use super::ego_motion::EgoMotion;
-use super::{Bearing, CameraPose, Odometry};
-use crate::input::CameraInput;
+use super::CameraPose;
+use crate::league::FIELD;
+use crate::league::input::CameraInput;
+use crate::league::senses::Object;
 use crate::output::CameraSelector;
-use crate::senses::Object;
-use crate::{FIELD, MODEL, info};
+use crate::perception::ego_motion::EgoMotion;
+use crate::perception::{Bearing, Odometry};
+use crate::{MODEL, info};
 
 /// Memory of the ball.
 #[derive(Debug, Params)]
@@ -134,6 +136,18 @@ impl BallDetector {
     #[must_use]
     pub const fn seen(&self) -> Option<&BallSighting> {
         if self.is_looking() { self.seen.as_ref() } else { None }
+    }
+
+    /// The camera whose newest view shows the ball.
+    #[must_use]
+    pub fn camera(&self) -> Option<CameraId> {
+        self.seen().map(|seen| seen.camera)
+    }
+
+    /// Confidence in the remembered position, 0 to 1.
+    #[must_use]
+    pub const fn confidence(&self) -> f32 {
+        self.memory().confidence()
     }
 
     /// Whether the ball was in the last views: in two, unless a parameter says otherwise.

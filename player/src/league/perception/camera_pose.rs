@@ -7,8 +7,9 @@ use bica_motion::model::RobotModel;
 use bica_motion::robot::CameraId;
 use glam::{Affine3A, Vec2, Vec3};
 
-use super::ego_motion::LastImage;
-use crate::input::{CameraInput, RobotState};
+use crate::input::RobotState;
+use crate::league::input::CameraInput;
+use crate::perception::ego_motion::LastImage;
 use crate::{MODEL, info};
 
 /// The pose of the camera when it took the newest view, from the joint angles and the support foot.
@@ -49,7 +50,7 @@ impl CameraPose {
     }
 
     /// Counts a cycle since the last image.
-    pub(super) const fn pass_cycle(&mut self) {
+    pub(crate) const fn pass_cycle(&mut self) {
         self.image.age.pass_cycle();
     }
 

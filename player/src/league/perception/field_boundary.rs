@@ -3,8 +3,8 @@
 use bica::prelude::*;
 use glam::Vec2;
 
-use super::{CameraPose, Localization};
-use crate::FIELD;
+use super::Localization;
+use crate::league::FIELD;
 
 /// The end of the field by the robot's pose.
 #[derive(Debug)]
@@ -26,7 +26,7 @@ impl FieldBoundary {
 
     /// Whether a position in the ground frame between the feet, m, is on the carpet; without a pose, none is.
     #[must_use]
-    pub fn is_on_field(&self, _camera: &CameraPose, at: Vec2) -> bool {
+    pub fn is_on_field(&self, at: Vec2) -> bool {
         self.pose.is_some_and(|pose| pose.place(at).abs().cmple(FIELD.carpet_corner()).all())
     }
 }

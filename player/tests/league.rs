@@ -5,14 +5,16 @@ use bica::{Instant, Tree};
 use bica_field::{SSIM_2026, league_mark};
 use bica_motion::joints::Joints;
 use bica_motion::kinematics::{camera, ground_from_robot};
+use bica_motion::model::T1;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
-use bica_player_t1::behaviour::Player;
-use bica_player_t1::input::GameState;
-use bica_player_t1::perception::{BallDetector, GoalDetector, Localization};
-use bica_player_t1::senses::{Object, Senses, Sight, View};
-use bica_player_t1::{Forward, MODEL};
+use bica_player::behaviour::Player;
+use bica_player::league::Forward;
+use bica_player::league::input::GameState;
+use bica_player::league::perception::{BallDetector, GoalDetector, Localization};
+use bica_player::league::senses::{Object, Senses, Sight, View};
+use bica_player::model::set_model;
 use glam::{Vec2, Vec3};
 
 const MARKS: [&str; 14] = [
@@ -20,10 +22,17 @@ const MARKS: [&str; 14] = [
     "g_rup", "g_rlp",
 ];
 
+/// The forward of a T1.
+fn forward() -> Box<Forward> {
+    let mut forward = Box::new(Forward::new());
+    set_model(&mut *forward, T1);
+    forward
+}
+
 /// What a standing robot sees from a pose, with a ball at a position, within the server's angles and rounding.
 fn sights(pose: Pose2, ball: Vec2) -> View {
-    let angles = MODEL.stand;
-    let eye = ground_from_robot(MODEL, Side::Left, &angles) * camera(MODEL, CameraId::Top, &angles);
+    let angles = T1.stand;
+    let eye = ground_from_robot(T1, Side::Left, &angles) * camera(T1, CameraId::Top, &angles);
     let sight = |object: Object, at: Vec3| {
         let from_eye = eye.inverse().transform_point3(pose.locate(at.truncate()).extend(at.z));
         let round = |value: f32| (100.0 * value).trunc() / 100.0;
@@ -46,7 +55,7 @@ fn body(cycle: u64) -> Sensors<'static> {
     let inertial = Inertial { acceleration: Vec3::new(noise, 0.0, 9.81), ..Inertial::default() };
     let foot = FootPressure { front_left: 40.0, front_right: 40.0, rear_left: 40.0, rear_right: 40.0 };
     Sensors {
-        angles: MODEL.stand,
+        angles: T1.stand,
         temperatures: Joints::all(f32::NAN),
         currents: Joints::all(f32::NAN),
         inertial,
@@ -69,7 +78,7 @@ fn run(forward: &mut Forward, view: &View, cycles: core::ops::Range<u64>) {
 
 #[test]
 fn ball_is_found_and_approached_where_it_is_seen() {
-    let mut forward = Box::new(Forward::new());
+    let mut forward = forward();
     let pose = Pose2::new(20.0, 2.0, 0.5);
     let ball = pose.place(Vec2::new(2.0, 0.4));
     run(&mut forward, &sights(pose, ball), 0..6);
@@ -84,7 +93,7 @@ fn ball_is_found_and_approached_where_it_is_seen() {
 #[test]
 fn pose_and_goal_follow_from_marks() {
     for pose in [Pose2::new(20.0, 2.0, 0.3), Pose2::new(24.0, -6.0, 0.9), Pose2::new(-10.0, 4.0, -0.4)] {
-        let mut forward = Box::new(Forward::new());
+        let mut forward = forward();
         // Marks and goal are read only while the robot searches for the goal.
         for name in ["Localization", "GoalDetector"] {
             forward.hold_at(name, bica::Hold::Active).expect("a component");
@@ -101,7 +110,7 @@ fn pose_and_goal_follow_from_marks() {
 
 #[test]
 fn one_mark_and_marks_in_a_point_give_no_pose() {
-    let mut forward = Box::new(Forward::new());
+    let mut forward = forward();
     forward.hold_at("Localization", bica::Hold::Active).expect("a component");
     let all = sights(Pose2::new(20.0, 2.0, 0.3), Vec2::ZERO);
     let mark = *all.iter().find(|sight| matches!(sight.object, Object::Mark(_))).expect("a mark");

@@ -7,11 +7,12 @@ use bica_vision::uncertainty;
 use glam::Vec2;
 use heapless::Vec;
 
-use super::ego_motion::EgoMotion;
-use super::{CameraPose, Odometry};
+use super::CameraPose;
 use crate::info;
-use crate::input::CameraInput;
-use crate::senses::Object;
+use crate::league::input::CameraInput;
+use crate::league::senses::Object;
+use crate::perception::Odometry;
+use crate::perception::ego_motion::EgoMotion;
 
 /// Maximum number of robots.
 const ROBOTS: usize = 4;
@@ -48,17 +49,16 @@ impl RobotDetector {
     }
 
     /// Counts a cycle since the last run and the last image.
-    pub(super) const fn pass_cycle(&mut self) {
+    pub(crate) const fn pass_cycle(&mut self) {
         self.ego_motion.pass_cycle();
     }
 
-    /// The positions, m, in the ground frame between the feet of this robot; none if its motion is not known.
-    pub fn places(&self) -> impl Iterator<Item = PositionEstimate> + '_ {
-        let covariance = uncertainty::round(FOOT_ERROR);
-        self.feet
-            .iter()
-            .filter(|_| self.ego_motion.is_fresh())
-            .map(move |&position| PositionEstimate { position, covariance })
+    /// The position of one of the robots, by its index from 0, m, in the ground frame between the feet of this robot; `None` after the
+    /// last one, and if the motion of this robot is not known.
+    #[must_use]
+    pub fn place(&self, index: usize) -> Option<PositionEstimate> {
+        let position = *self.feet.get(index).filter(|_| self.ego_motion.is_fresh())?;
+        Some(PositionEstimate { position, covariance: uncertainty::round(FOOT_ERROR) })
     }
 
     /// The positions.

@@ -2,19 +2,20 @@
 
 use bica::prelude::*;
 use bica::runner::Robot;
-use bica_motion::robot::{Command, Lights};
+use bica_motion::robot::{Command, Light};
 
+use super::input::{CameraInput, GameState};
+use super::perception::{BallDetector, CameraPose, FieldBoundary, GoalDetector, Localization, RobotDetector};
+use super::senses::Senses;
 use crate::behaviour::{
     Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
 };
-use crate::input::{CameraInput, GameState, HealthMonitor, RobotProfile, RobotState};
+use crate::input::{HealthMonitor, RobotProfile, RobotState};
 use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use crate::output::{CameraSelector, Motors};
-use crate::perception::{
-    self, BallDetector, CameraPose, FallDetector, FieldBoundary, GoalDetector, Localization, Odometry, RobotDetector,
-};
-use crate::roles::{Ball, Falls, Goal, Health, Legs, Odometer, Place};
-use crate::senses::Senses;
+use crate::perception::{FallDetector, Odometry};
+use crate::robot;
+use crate::roles::{Ball, Carpet, Eye, Falls, Game, Goal, Health, Legs, Odometer, Place, Robots, Views};
 
 activation_tree! {
     /// The forward of RoboCup 2009 on a robot of today: finds the ball, walks to it, finds the goal, lines up and kicks.
@@ -26,6 +27,7 @@ activation_tree! {
         roles: {
             Ball: BallDetector, Goal: GoalDetector, Place: Localization, Odometer: Odometry,
             Legs: Body, Falls: FallDetector, Health: HealthMonitor,
+            Robots: RobotDetector, Carpet: FieldBoundary, Eye: CameraPose, Views: CameraInput, Game: GameState,
         },
         components: [
             Player,
@@ -44,10 +46,14 @@ impl Robot for Forward {
     type Error = core::convert::Infallible;
 
     fn sense(&mut self, senses: &Senses<'_>) -> Result<(), Self::Error> {
-        perception::pass_cycle(self);
-        let commanded = *self.get::<Motors>().commanded();
-        self.get_mut::<RobotState>().measure(&senses.body, &commanded);
-        self.get_mut::<HealthMonitor>().check(&senses.body, &commanded);
+        // What a component that does not run has estimated becomes old.
+        self.get_mut::<BallDetector>().pass_cycle();
+        self.get_mut::<GoalDetector>().pass_cycle();
+        self.get_mut::<RobotDetector>().pass_cycle();
+        self.get_mut::<Localization>().pass_cycle();
+        self.get_mut::<CameraPose>().pass_cycle();
+        self.get_mut::<Odometry>().pass_cycle();
+        robot::measure(self, &senses.body);
         self.get_mut::<GameState>().set(senses.playing);
         if let Some(view) = &senses.view {
             let angles = *self.get::<RobotState>().angles();
@@ -57,13 +63,6 @@ impl Robot for Forward {
     }
 
     fn act(&mut self) -> Command {
-        let stiffness = self.get::<HealthMonitor>().derated(self.get::<Motors>().stiffness());
-        let commanded = *self.get_mut::<Motors>().command(stiffness);
-        Command {
-            targets: commanded.targets,
-            stiffness: commanded.stiffness,
-            lights: Lights::default(),
-            camera: self.get::<CameraSelector>().selected(),
-        }
+        robot::command(self, Light::default())
     }
 }

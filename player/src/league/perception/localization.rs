@@ -2,15 +2,18 @@
 
 use bica::prelude::*;
 use bica::visual::{self, Point2};
+use bica_field::FieldDimensions;
 use bica_motion::pose::{Pose2, rotate};
 use glam::Vec2;
 use libm::atan2f;
 
-use super::ego_motion::EgoMotion;
-use super::{CameraPose, Odometry};
-use crate::input::CameraInput;
-use crate::senses::Object;
-use crate::{FIELD, info};
+use super::CameraPose;
+use crate::info;
+use crate::league::FIELD;
+use crate::league::input::CameraInput;
+use crate::league::senses::Object;
+use crate::perception::Odometry;
+use crate::perception::ego_motion::EgoMotion;
 
 /// Least number of marks in a view that give a pose.
 const MARKS: f32 = 2.0;
@@ -45,7 +48,7 @@ impl Localization {
     }
 
     /// Counts a cycle since the last run and the last image.
-    pub(super) const fn pass_cycle(&mut self) {
+    pub(crate) const fn pass_cycle(&mut self) {
         self.ego_motion.pass_cycle();
     }
 
@@ -79,6 +82,12 @@ impl Localization {
     pub fn posts(&self) -> Option<[Vec2; 2]> {
         let pose = self.pose()?;
         Some(FIELD.goal_posts(true).map(|post| pose.locate(post)))
+    }
+
+    /// The field.
+    #[must_use]
+    pub const fn field(&self) -> &'static FieldDimensions {
+        FIELD
     }
 }
 
