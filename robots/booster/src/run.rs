@@ -1,0 +1,89 @@
+//! The thread that owns the robot's topics: its commands do not wait for the robot program.
+
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use bica_motion::robot::{Command, Sensors};
+
+use crate::driver::{Counts, Driver, Inputs};
+use crate::firmware::Motion;
+use crate::options::Options;
+use crate::transport::Transport;
+
+/// Time between two looks at the topics.
+const LOOK: Duration = Duration::from_millis(1);
+
+/// What the thread and the world exchange.
+#[derive(Default)]
+pub(crate) struct Exchange {
+    /// Sensor values of a cycle that the robot program has not begun yet, with its time since the start.
+    pub(crate) cycle: Option<(Duration, Sensors<'static>)>,
+    /// Answer of the robot program.
+    pub(crate) command: Option<(Command, Motion)>,
+    /// Whether the robot program should end its motion, and whether the run is over.
+    pub(crate) is_ending: bool,
+    pub(crate) is_over: bool,
+    /// Whether the world was dropped.
+    pub(crate) is_dropped: bool,
+    pub(crate) counts: Counts,
+}
+
+/// The exchange and its signal for a new cycle.
+#[derive(Default)]
+pub(crate) struct Shared {
+    exchange: Mutex<Exchange>,
+    pub(crate) news: Condvar,
+}
+
+impl Shared {
+    pub(crate) fn lock(&self) -> MutexGuard<'_, Exchange> {
+        self.exchange.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Ends the run for the world even if the thread panics.
+struct Ended(Arc<Shared>);
+
+impl Drop for Ended {
+    fn drop(&mut self) {
+        self.0.lock().is_over = true;
+        self.0.news.notify_all();
+    }
+}
+
+/// Runs the driver until it is over.
+pub(crate) fn run(mut transport: impl Transport, options: &Options, shared: &Arc<Shared>) {
+    let ended = Ended(Arc::clone(shared));
+    let mut driver = Driver::new(options.body, options.gait, options.client);
+    let start = Instant::now();
+    while !driver.is_over() {
+        let received = transport.receive();
+        let now = start.elapsed();
+        let (command, is_dropped) = {
+            let mut exchange = shared.lock();
+            (exchange.command.take(), exchange.is_dropped)
+        };
+        let is_late = options.limit.is_some_and(|limit| now.as_secs_f64() >= limit);
+        let inputs = Inputs {
+            states: &received.states,
+            fall: received.fall,
+            answers: &received.answers,
+            command: command.as_ref().map(|(command, motion)| (command, *motion)),
+            stop: is_dropped || is_late || (options.stop)(),
+        };
+        let outputs = driver.step(now, &inputs);
+        outputs.command.into_iter().for_each(|command| transport.command(command));
+        outputs.requests.into_iter().for_each(|request| transport.request(request));
+        outputs.notes.iter().for_each(|note| (options.say)(note));
+        let mut exchange = shared.lock();
+        (exchange.is_ending, exchange.counts) = (driver.is_ending(), driver.counts());
+        if let Some(sensors) = outputs.cycle {
+            exchange.cycle = Some((now, sensors));
+            shared.news.notify_all();
+        }
+        drop(exchange);
+        thread::sleep(LOOK);
+    }
+    drop(ended);
+}

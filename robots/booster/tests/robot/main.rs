@@ -1,0 +1,9 @@
+//! Tests of the driver against a robot in memory, which checks each message.
+
+mod ends;
+mod faults;
+mod firmware;
+mod messages;
+mod random;
+mod stand_in;
+mod walks;
