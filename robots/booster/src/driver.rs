@@ -98,6 +98,7 @@ pub struct Driver {
     /// When the gains were taken away.
     pub(crate) limp_since: Option<Duration>,
     has_gains: bool,
+    pub(crate) is_given_back: bool,
     is_answered: bool,
     pub(crate) last: Command,
     pub(crate) motion: Motion,
@@ -139,6 +140,7 @@ impl Driver {
             sent: None,
             limp_since: None,
             has_gains: false,
+            is_given_back: false,
             is_answered: true,
             last: Command::new(body.model.stand, 1.0),
             motion: Motion::default(),
@@ -177,6 +179,12 @@ impl Driver {
     #[must_use]
     pub fn is_over(&self) -> bool {
         self.phase == Phase::Over
+    }
+
+    /// Whether the program has ended in order: the robot is not left with targets.
+    #[must_use]
+    pub const fn is_given_back(&self) -> bool {
+        self.is_given_back
     }
 
     /// Whether the end was requested, so that the robot program should end its motion.

@@ -46,7 +46,9 @@ impl Driver {
         let since = self.stopped.map_or(Duration::ZERO, |stopped| now.saturating_sub(stopped));
         if since >= LONGEST_END {
             self.stay_limp(now);
-            return self.finish("the robot does not answer: hold it, and switch it off");
+            self.finish("the robot does not answer: hold it, and switch it off");
+            self.is_given_back = false;
+            return;
         }
         match ending {
             Ending::Halt(still) if self.gait == Gait::Firmware => self.halt_firmware(since, still),
@@ -107,6 +109,7 @@ impl Driver {
 
     fn finish(&mut self, text: &str) {
         self.say(text);
+        self.is_given_back = true;
         self.phase = Phase::Over;
     }
 }

@@ -24,6 +24,8 @@ pub(crate) struct Exchange {
     /// Whether the robot program should end its motion, and whether the run is over.
     pub(crate) is_ending: bool,
     pub(crate) is_over: bool,
+    /// Whether the robot was given back in order.
+    pub(crate) is_given_back: bool,
     /// Whether the world was dropped.
     pub(crate) is_dropped: bool,
     pub(crate) counts: Counts,
@@ -78,6 +80,7 @@ pub(crate) fn run(mut transport: impl Transport, options: &Options, shared: &Arc
         outputs.notes.iter().for_each(|note| (options.say)(note));
         let mut exchange = shared.lock();
         (exchange.is_ending, exchange.counts) = (driver.is_ending(), driver.counts());
+        exchange.is_given_back = driver.is_given_back();
         if let Some(sensors) = outputs.cycle {
             exchange.cycle = Some((now, sensors));
             shared.news.notify_all();

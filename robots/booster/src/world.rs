@@ -6,11 +6,11 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use bica::Instant;
-use bica::runner::{Robot, World};
 use bica_motion::robot::{Command, Sensors};
 
 use crate::driver::Counts;
 use crate::firmware::Motion;
+use crate::measured::UNMEASURED;
 use crate::options::Options;
 use crate::run::{Shared, run};
 use crate::transport::Transport;
@@ -27,7 +27,7 @@ pub struct BoosterWorld {
     shared: Arc<Shared>,
     thread: Option<JoinHandle<()>>,
     now: Duration,
-    sensors: Option<Sensors<'static>>,
+    sensors: Sensors<'static>,
     motion: Motion,
     counts: Counts,
 }
@@ -43,14 +43,14 @@ impl BoosterWorld {
         let work = move || run(transport, &options, &of_thread);
         let thread = Some(thread::Builder::new().name("booster".into()).spawn(work)?);
         let (motion, counts) = (Motion::default(), Counts::default());
-        let mut world = Self { shared, thread, now: Duration::ZERO, sensors: None, motion, counts };
+        let mut world = Self { shared, thread, now: Duration::ZERO, sensors: UNMEASURED, motion, counts };
         world.advance();
         Ok(world)
     }
 
-    /// Measurements of this cycle; `None` if the run ended before the first one.
+    /// Measurements of this cycle; all zero if the run ended before the first one.
     #[must_use]
-    pub const fn sense(&self) -> Option<Sensors<'static>> {
+    pub const fn sense(&self) -> Sensors<'static> {
         self.sensors
     }
 
@@ -77,6 +77,13 @@ impl BoosterWorld {
         self.shared.lock().is_over
     }
 
+    /// Whether the run goes on, or the robot was given back in order.
+    #[must_use]
+    pub fn is_in_order(&self) -> bool {
+        let exchange = self.shared.lock();
+        !exchange.is_over || exchange.is_given_back
+    }
+
     /// Time of this cycle since the start.
     #[must_use]
     pub const fn time(&self) -> Instant {
@@ -95,7 +102,7 @@ impl BoosterWorld {
         loop {
             self.counts = exchange.counts;
             if let Some((now, sensors)) = exchange.cycle.take() {
-                (self.now, self.sensors) = (now, Some(sensors));
+                (self.now, self.sensors) = (now, sensors);
                 return;
             }
             if exchange.is_over {
@@ -106,31 +113,6 @@ impl BoosterWorld {
                 Err(poisoned) => poisoned.into_inner().0,
             };
         }
-    }
-}
-
-impl<R> World<R> for BoosterWorld
-where
-    R: for<'a> Robot<Sensors<'a> = Sensors<'a>, Command = Command>,
-{
-    fn now(&self) -> Instant {
-        self.time()
-    }
-
-    fn sensors(&mut self) -> Sensors<'_> {
-        self.sense().unwrap_or(crate::measured::UNMEASURED)
-    }
-
-    fn act(&mut self, command: &Command) {
-        self.command(command);
-    }
-
-    fn is_over(&self) -> bool {
-        self.has_ended()
-    }
-
-    fn report(&self, out: &mut dyn core::fmt::Write) -> core::fmt::Result {
-        self.counts.write(out)
     }
 }
 

@@ -96,7 +96,7 @@ pub(crate) struct Play {
     /// World of the game: `built-in` (kinematic), `mujoco` (rigid-body dynamics; needs the feature `mujoco`), `firmware`
     /// (the built-in world, with the forward on an emulated microcontroller), or `league` (the simulation league's server, which
     /// `cargo xtask league` installs; needs `--robot t1` or `--robot k1`), or `lola` (a real NAO V6 through its socket, `lola:SOCKET` or
-    /// `/tmp/robocup`; needs the feature `lola`)
+    /// `/tmp/robocup`; needs the feature `lola`), or `booster` (a real T1 or K1 through DDS; needs the feature `booster` and `--robot`)
     #[arg(long, value_name = "WORLD", default_value = "built-in", value_parser = WorldParser)]
     pub(crate) world: WorldArg,
     /// With `--world lola`, socket with the camera images
@@ -120,7 +120,7 @@ pub(crate) struct Play {
     pub(crate) size: Frame,
     #[arg(long, value_name = "NAME=VALUE", help = crate::game::OPTIONS)]
     pub(crate) option: Vec<String>,
-    /// Longest duration of a game, in seconds of the world [default: 120; with `--world lola` until the end is requested]
+    /// Longest duration of a game, in seconds of the world [default: 120; with `--world lola` or `booster` until the end is requested]
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) seconds: Option<f64>,
     /// Write a picture (PNG) of every change of the tree; each game of a series has its own folder
@@ -129,6 +129,8 @@ pub(crate) struct Play {
     /// Write a film (animated GIF): the world from outside and the robot's camera image
     #[arg(long, value_name = "FILE", conflicts_with = "games")]
     pub(crate) film: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) booster: BoosterArgs,
     #[command(flatten)]
     pub(crate) league: LeagueArgs,
     #[command(flatten)]
@@ -151,6 +153,26 @@ pub(crate) struct Play {
     /// Print the results as JSON on stdout; all other output goes to stderr
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// Arguments of a run on a real Booster.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct BoosterArgs {
+    /// With `--world booster`, domain of DDS
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=232))]
+    pub(crate) dds_domain: u16,
+    /// With `--world booster`, name or IPv4 address of the network interface to the robot [default: all]
+    #[arg(long, value_name = "NAME|ADDRESS")]
+    pub(crate) dds_interface: Option<String>,
+    /// With `--world booster`, whose gait walks: `own` by joint commands, or the maker's by requests
+    #[arg(long, value_name = "GAIT", default_value = "own")]
+    pub(crate) gait: GaitArg,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum GaitArg {
+    Own,
+    Firmware,
 }
 
 /// Arguments of a game in the league's server.
@@ -195,6 +217,7 @@ pub(crate) enum World {
     Firmware,
     League,
     Lola,
+    Booster,
 }
 
 /// World with the socket of a real robot.

@@ -4,6 +4,8 @@
 
 #[cfg(any(all(feature = "lola", unix), feature = "referee"))]
 mod attacked;
+#[cfg(feature = "booster")]
+mod booster;
 mod cli;
 mod colour_profile;
 pub mod emulator;

@@ -13,7 +13,7 @@ use bica_tuning::Layers;
 use bica_wire::model::Description;
 use clap::ValueEnum;
 
-use crate::cli::{Play, World};
+use crate::cli::{GaitArg, Play, World};
 
 /// Plays as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
@@ -32,6 +32,16 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         return Err(Failure::new("LoLA's socket is a Unix socket", "run this program on the robot, or on Linux"));
         #[cfg(not(feature = "lola"))]
         return Err(built_without("lola", "the driver of a real NAO"));
+    }
+    if args.world.kind == World::Booster {
+        #[cfg(feature = "booster")]
+        return crate::booster::run(args);
+        #[cfg(not(feature = "booster"))]
+        return Err(built_without("booster", "the driver of a real T1 and K1"));
+    }
+    if args.booster.dds_interface.is_some() || args.booster.dds_domain != 0 || args.booster.gait != GaitArg::Own {
+        let what = "--dds-domain, --dds-interface and --gait belong to a real Booster, and this game is played in another world";
+        return Err(Failure::new(what, "give --world booster --robot t1, too, or leave them out"));
     }
     if args.frames.is_some() {
         let what = "--frames belongs to a real robot, and this game is played in another world";
@@ -99,6 +109,10 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
 
 /// Runs the code again on a recording of this program, of any of its worlds.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failure> {
+    #[cfg(feature = "booster")]
+    if let Some(report) = crate::booster::replay(options) {
+        return report;
+    }
     #[cfg(feature = "league")]
     if let Some(report) = crate::league::replay(options) {
         return report;
@@ -115,7 +129,13 @@ pub(crate) fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failur
 }
 
 /// Returns the error for an option that needs a Cargo feature.
-#[cfg(not(all(feature = "evaluation", feature = "league", feature = "lola", feature = "referee")))]
+#[cfg(not(all(
+    feature = "booster",
+    feature = "evaluation",
+    feature = "league",
+    feature = "lola",
+    feature = "referee"
+)))]
 pub(crate) fn built_without(feature: &str, what: &str) -> Failure {
     let help = format!("give Cargo the feature, too: `cargo run --release --features {feature} -- …`");
     Failure::new(format!("this program was built without {what}"), help)
@@ -131,11 +151,11 @@ fn settings(args: &Play, layers: &Layers) -> Result<&'static [Setting], Failure>
     Ok(settings)
 }
 
-/// Returns the requested world; firmware, league and LoLA use the built-in one.
+/// Returns the requested world; firmware, league and real robots use the built-in one.
 #[cfg_attr(feature = "mujoco", expect(clippy::unnecessary_wraps, reason = "without MuJoCo it is refused"))]
 fn world(world: World) -> Result<WorldKind, Failure> {
     match world {
-        World::BuiltIn | World::Firmware | World::League | World::Lola => Ok(WorldKind::BuiltIn),
+        World::BuiltIn | World::Booster | World::Firmware | World::League | World::Lola => Ok(WorldKind::BuiltIn),
         #[cfg(feature = "mujoco")]
         World::Mujoco => Ok(WorldKind::Mujoco),
         #[cfg(not(feature = "mujoco"))]

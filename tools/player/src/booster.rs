@@ -1,0 +1,213 @@
+//! `play --world booster`: a real Booster T1 or K1.
+
+use std::process;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use bica::runner::{Runner, World};
+use bica::{Instant, Tree};
+use bica_app::{App, Console, Failure, Outcome, RunArgs, interrupt};
+use bica_booster::{Body, BoosterWorld, Dds, Gait, K1, Motion, Options, T1, address};
+use bica_motion::robot::Command;
+use bica_player_t1::input::RobotProfile;
+use bica_player_t1::model::set_model;
+use bica_player_t1::motion::{Head, Walk};
+use bica_player_t1::senses::Senses;
+use bica_player_t1::{Forward, K1_PARAMETERS, T1_PARAMETERS};
+use bica_recording::{Recording, ReplayOptions, ReplayReport};
+use bica_tuning::Layers;
+
+use crate::cli::{GaitArg, Play};
+use crate::colour_profile::ColourProfile;
+
+/// Name of the world in recordings and options.
+const WORLD: &str = "booster";
+/// Name of the option that selects the robot in a recording.
+const ROBOT: &str = "robot";
+
+/// Whether the firmware has the robot back at the end, and what failed.
+type Standing = Arc<Mutex<bool>>;
+
+/// The robot behind the forward's senses. It has no images here.
+struct Field {
+    world: BoosterWorld,
+    standing: Standing,
+}
+
+impl World<Forward> for Field {
+    fn now(&self) -> Instant {
+        self.world.time()
+    }
+
+    fn sensors(&mut self) -> Senses<'_> {
+        Senses { body: self.world.sense(), view: None, playing: !self.world.is_ending() }
+    }
+
+    fn act(&mut self, command: &Command) {
+        self.world.command(command);
+        *self.standing.lock().unwrap_or_else(PoisonError::into_inner) = self.world.is_in_order();
+    }
+
+    fn is_over(&self) -> bool {
+        self.world.has_ended()
+    }
+
+    fn report(&self, out: &mut dyn core::fmt::Write) -> core::fmt::Result {
+        self.world.counts().write(out)
+    }
+}
+
+/// Plays on a real robot as the command line requests.
+pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
+    refuse(args)?;
+    let Some(body) = args.tuning.robot().and_then(Body::named) else {
+        let what = "the robot behind these topics is a T1 or a K1";
+        return Err(Failure::new(what, "give --robot t1 or --robot k1, too"));
+    };
+    interrupt::end_in_order();
+    let standing = Standing::new(Mutex::new(true));
+    let open = opener(args, body, &standing)?;
+    match args.booster.gait {
+        GaitArg::Own => own(args, body, open)?,
+        GaitArg::Firmware => firmware(args, body, open)?,
+    }
+    let is_in_order = *standing.lock().unwrap_or_else(PoisonError::into_inner);
+    Ok(if is_in_order { Outcome::Success } else { Outcome::Unsuccessful })
+}
+
+/// Returns what opens the world.
+fn opener(
+    args: &Play,
+    body: &'static Body,
+    standing: &Standing,
+) -> Result<impl Fn() -> Result<Field, Failure> + Send + Sync + use<>, Failure> {
+    let interface = args.booster.dds_interface.as_deref().map(address).transpose();
+    let interface = interface.map_err(|error| {
+        Failure::new(format!("--dds-interface: {error}"), "give a name that `ip address` lists, or an IPv4 address")
+    })?;
+    let gait = if args.booster.gait == GaitArg::Firmware { Gait::Firmware } else { Gait::Own };
+    let (domain, limit, standing) = (args.booster.dds_domain, args.seconds, Arc::clone(standing));
+    Ok(move || {
+        let transport = Dds::open(domain, interface).map_err(|error| {
+            Failure::new(error, "is the network up? `--dds-interface` names the interface to the robot")
+        })?;
+        say(&format!("waits for a {} in domain {domain}", body.model.name));
+        let stop = Box::new(interrupt::requested);
+        let options = Options { body, gait, client: client(), limit, stop, say };
+        let world = BoosterWorld::open(transport, options);
+        let world = world.map_err(|error| Failure::new(error.to_string(), "is there memory left?"))?;
+        Ok(Field { world, standing: Arc::clone(&standing) })
+    })
+}
+
+/// Plays with joint commands, with all that the program of a robot offers.
+fn own(
+    args: &Play,
+    body: &'static Body,
+    open: impl Fn() -> Result<Field, Failure> + Send + Sync + 'static,
+) -> Result<(), Failure> {
+    let run = RunArgs {
+        world: WORLD.to_owned(),
+        seed: args.seed,
+        option: vec![option(body)],
+        realtime: false,
+        // No limit here: the world itself ends the run, after the firmware has the robot back.
+        seconds: None,
+        record: args.record.clone(),
+        link: args.link.clone(),
+        tuning: args.tuning.of_known_robot(),
+        json: args.json,
+    };
+    let app = App::<Forward, ColourProfile>::new("player").robot(maker(body)).pacing_device(WORLD, move |options| {
+        options.value(ROBOT, body.model.id.to_owned())?;
+        open()
+    });
+    app.play(&run).map(drop)
+}
+
+/// Plays with the maker's gait: what the forward requests of its legs and its head goes to the firmware.
+fn firmware(args: &Play, body: &'static Body, open: impl Fn() -> Result<Field, Failure>) -> Result<(), Failure> {
+    if args.record.record.is_some() || args.link.is_paced() {
+        let what = "a run with the maker's gait is neither recorded nor served";
+        return Err(Failure::new(what, "leave out --record and --serve, or --gait firmware"));
+    }
+    let layers = args.tuning.of_known_robot().layers(const { &Forward::GRAPH }, WORLD)?;
+    let mut forward = maker(body)();
+    layers.apply(&mut *forward)?;
+    let mut runner = Runner::new(forward, open()?);
+    while !runner.world().is_over() {
+        // The error type is infallible.
+        _ = runner.cycle();
+        let motion = motion(runner.robot());
+        runner.world_mut().world.request(motion);
+    }
+    let mut report = String::new();
+    _ = runner.world().report(&mut report);
+    Console::new(args.json).print(&report)?;
+    Ok(())
+}
+
+/// What the forward requests of the firmware.
+fn motion(forward: &Forward) -> Motion {
+    let velocity = forward.get::<Walk>().requested();
+    let head = forward.get::<Head>().target();
+    let walks = forward.is_active::<Walk>();
+    let velocity = if walks { [velocity.forward, velocity.left, velocity.turn] } else { [0.0; 3] };
+    Motion { velocity, head: [head.pitch, head.yaw] }
+}
+
+/// Replays the recording of a run; `None` if the recording is not of this world.
+pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
+    // The reader of the other games reports an unreadable file.
+    let recording = Recording::open(options.path).ok()?;
+    let set_up = &recording.header().set_up;
+    let all = set_up.get("options").and_then(|options| options.as_array());
+    let is_k1 = all.is_some_and(|all| all.contains(&option(K1).into()));
+    (set_up.get("world")?.as_str()? == WORLD).then(|| {
+        let body = if is_k1 { K1 } else { T1 };
+        App::<Forward, ColourProfile>::new("player").robot(maker(body)).repeat(options)
+    })
+}
+
+fn option(body: &Body) -> String {
+    format!("{ROBOT}={}", body.model.id)
+}
+
+fn say(text: &str) {
+    eprintln!("booster: {text}");
+}
+
+/// Number that differs from that of each other client of the robot.
+fn client() -> u64 {
+    let nanos = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_nanos() as u64);
+    nanos.rotate_left(32) ^ u64::from(process::id())
+}
+
+/// Refuses options that a real robot does not support.
+fn refuse(args: &Play) -> Result<(), Failure> {
+    let simulated = args.pictures.is_some() || args.film.is_some() || args.games.is_some() || args.robots > 0;
+    if simulated || args.image.is_some() || args.league.server.is_some() || args.league.against || args.frames.is_some()
+    {
+        let what =
+            "a real Booster has no pictures, films, series, other robots, firmware images, servers and frames here";
+        let help = "leave out --pictures, --film, --games, --robots, --image, --server, --against and --frames";
+        return Err(Failure::new(what, help));
+    }
+    Ok(())
+}
+
+fn maker(body: &'static Body) -> fn() -> Box<Forward> {
+    if body.model.id == K1.model.id { || forward(K1, K1_PARAMETERS) } else { || forward(T1, T1_PARAMETERS) }
+}
+
+/// Returns the forward with the motions that were tuned in `MuJoCo`.
+fn forward(body: &'static Body, parameters: &str) -> Box<Forward> {
+    let mut forward = Box::<Forward>::default();
+    set_model(&mut *forward, body.model);
+    forward.get_mut::<RobotProfile>().set(body.model.dynamic_profile);
+    let mut layers = Layers::new(const { &Forward::GRAPH });
+    // A test of the league reads the same texts.
+    _ = layers.read_text(body.model.id, parameters);
+    _ = forward.set_params(&layers.settings());
+    forward
+}
