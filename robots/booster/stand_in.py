@@ -2,9 +2,10 @@
 
     python3 robots/booster/stand_in.py t1|k1 [--domain 0] [--seconds 30] [--fault KIND@SECOND ...] [--player COMMAND ...]
 
-Faults, with times since the program has the robot: nan, count (20 states), gap (0.2 s), silence (1 s), deaf (no answers, 0.8 s), leave (to
-damping), fall (maker's gait); `refuse@S` refuses all modes until S seconds after the first request. With --player, the last option, the command is started, ended by SIGTERM after
---seconds, and must end with exit code 0 within 6 s. Needs `cyclonedds`. Exit code 1 after a violation.
+Faults, with times since the program has the robot: nan, count (20 states), gap (0.2 s), silence (1 s), deaf (no answers, 0.8 s), leave
+(to damping), fall (maker's gait); `refuse@S` refuses all modes until S seconds after the first request. With --player, the last option,
+the command is started, ended by SIGTERM after --seconds, and must end with exit code 0 within 6 s. Needs `cyclonedds`. Exit code 1 after
+a violation.
 """
 
 import argparse

@@ -8,9 +8,9 @@ use crate::mujoco;
 use crate::process::run;
 
 /// Features of packages that a step needs; not the self-test of the firmware, whose decoder makes numbers of JSON texts in all crates.
-const FEATURES: &str = "bica-app/monitor,bica-app/ros,bica-evaluation/measure,bica-player-program/evaluation,\
-    bica-player-program/league,bica-player-program/lola,bica-player-program/measure,bica-player-program/referee,\
-    bica-tests/measure,therapy/monitor";
+const FEATURES: &str = "bica-app/monitor,bica-app/ros,bica-evaluation/measure,bica-player-program/booster,\
+    bica-player-program/evaluation,bica-player-program/league,bica-player-program/lola,bica-player-program/measure,\
+    bica-player-program/referee,bica-tests/measure,therapy/monitor";
 /// Those that need MuJoCo's library.
 const MUJOCO: &str =
     "bica-body/mujoco,bica-evaluation/mujoco,bica-player-program/mujoco,bica-sim/mujoco,jmanager/mujoco,therapy/mujoco";

@@ -2,7 +2,7 @@
 
 use std::net::{IpAddr, Ipv4Addr};
 
-use rustdds::no_key::{DataReader, DataWriter};
+use rustdds::no_key::{DataReader, DataSample, DataWriter};
 use rustdds::policy::{DataRepresentation, Durability, History, Reliability, XCDR_DATA_REPRESENTATION};
 use rustdds::serialization::{CDRDeserializerAdapter, CDRSerializerAdapter};
 use rustdds::{
@@ -115,7 +115,7 @@ fn take<T: DeserializeOwned + 'static>(reader: &mut Reader<T>) -> Vec<T> {
     for _ in 0..MOST {
         match reader.take(MOST, ReadCondition::not_read()) {
             Ok(samples) if samples.is_empty() => break,
-            Ok(samples) => taken.extend(samples.into_iter().map(|sample| sample.into_value())),
+            Ok(samples) => taken.extend(samples.into_iter().map(DataSample::into_value)),
             Err(_) => {}
         }
         if taken.len() >= MOST {

@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use bica_motion::joints::Joints;
 
-use crate::driver::{BEFORE_CHANGE, Driver, Gait, REST};
+use crate::driver::{Driver, Gait, REST};
+use crate::follow::BEFORE_CHANGE;
 use crate::phase::{Ending, Phase};
 use crate::rpc::Mode;
 
@@ -16,7 +17,7 @@ const STILL_ANGLE: f32 = 0.02;
 /// Longest time for the firmware to take over, from the request to end; then the motors are asked to damp.
 const LONGEST_HOLD: Duration = Duration::from_millis(3_500);
 /// Longest time from the request to end until the end.
-const LONGEST_END: Duration = Duration::from_millis(5_000);
+const LONGEST_END: Duration = Duration::from_secs(5);
 
 impl Driver {
     /// Begins the end on request.

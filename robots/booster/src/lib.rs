@@ -6,6 +6,7 @@ mod dds;
 mod driver;
 mod ending;
 mod firmware;
+mod follow;
 mod limiter;
 mod measured;
 pub mod message;
@@ -14,6 +15,7 @@ mod options;
 mod phase;
 mod rpc;
 mod run;
+mod start;
 mod transport;
 mod world;
 

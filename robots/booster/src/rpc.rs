@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::message::{RpcReqMsg, RpcRespMsg};
 
 /// Time after which a request counts as unanswered.
-const PATIENCE: Duration = Duration::from_millis(1_000);
+const PATIENCE: Duration = Duration::from_secs(1);
 /// Longest text of an answer that is looked at, bytes.
 const MAX_TEXT: usize = 4096;
 

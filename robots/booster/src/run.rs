@@ -14,6 +14,20 @@ use crate::transport::Transport;
 /// Time between two looks at the topics.
 const LOOK: Duration = Duration::from_millis(1);
 
+/// How far a run is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Course {
+    /// The robot program may command.
+    #[default]
+    Runs,
+    /// The robot program should end its motion.
+    Ends,
+    /// The robot was given back in order.
+    GivenBack,
+    /// The robot did not answer at the end, or the thread has panicked.
+    Failed,
+}
+
 /// What the thread and the world exchange.
 #[derive(Default)]
 pub(crate) struct Exchange {
@@ -21,11 +35,7 @@ pub(crate) struct Exchange {
     pub(crate) cycle: Option<(Duration, Sensors<'static>)>,
     /// Answer of the robot program.
     pub(crate) command: Option<(Command, Motion)>,
-    /// Whether the robot program should end its motion, and whether the run is over.
-    pub(crate) is_ending: bool,
-    pub(crate) is_over: bool,
-    /// Whether the robot was given back in order.
-    pub(crate) is_given_back: bool,
+    pub(crate) course: Course,
     /// Whether the world was dropped.
     pub(crate) is_dropped: bool,
     pub(crate) counts: Counts,
@@ -49,7 +59,11 @@ struct Ended(Arc<Shared>);
 
 impl Drop for Ended {
     fn drop(&mut self) {
-        self.0.lock().is_over = true;
+        let mut exchange = self.0.lock();
+        if exchange.course != Course::GivenBack {
+            exchange.course = Course::Failed;
+        }
+        drop(exchange);
         self.0.news.notify_all();
     }
 }
@@ -79,8 +93,12 @@ pub(crate) fn run(mut transport: impl Transport, options: &Options, shared: &Arc
         outputs.requests.into_iter().for_each(|request| transport.request(request));
         outputs.notes.iter().for_each(|note| (options.say)(note));
         let mut exchange = shared.lock();
-        (exchange.is_ending, exchange.counts) = (driver.is_ending(), driver.counts());
-        exchange.is_given_back = driver.is_given_back();
+        exchange.counts = driver.counts();
+        exchange.course = match () {
+            () if driver.is_given_back() => Course::GivenBack,
+            () if driver.is_ending() => Course::Ends,
+            () => Course::Runs,
+        };
         if let Some(sensors) = outputs.cycle {
             exchange.cycle = Some((now, sensors));
             shared.news.notify_all();

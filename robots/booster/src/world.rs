@@ -12,7 +12,7 @@ use crate::driver::Counts;
 use crate::firmware::Motion;
 use crate::measured::UNMEASURED;
 use crate::options::Options;
-use crate::run::{Shared, run};
+use crate::run::{Course, Shared, run};
 use crate::transport::Transport;
 
 /// Longest wait for news of the thread before its state is looked at again.
@@ -20,9 +20,9 @@ const WAIT: Duration = Duration::from_millis(100);
 
 /// A T1 or K1 behind its topics.
 ///
-/// The robot program gets a cycle every 10 ms while it commands the robot. A thread sends the commands, so that a robot program that is late
-/// or paused leaves the robot with its last targets. When the run ends, for whatever reason, the firmware gets the robot back; so it does
-/// when this value is dropped.
+/// The robot program gets a cycle every 10 ms while it commands the robot. A thread sends the commands, so that a robot program that is
+/// late or paused leaves the robot with its last targets. When the run ends, for whatever reason, the firmware gets the robot back; so it
+/// does when this value is dropped.
 pub struct BoosterWorld {
     shared: Arc<Shared>,
     thread: Option<JoinHandle<()>>,
@@ -68,20 +68,19 @@ impl BoosterWorld {
     /// Whether the robot program should end its motion.
     #[must_use]
     pub fn is_ending(&self) -> bool {
-        self.shared.lock().is_ending
+        self.shared.lock().course != Course::Runs
     }
 
     /// Whether the firmware has the robot back, or nothing can be done any more.
     #[must_use]
     pub fn has_ended(&self) -> bool {
-        self.shared.lock().is_over
+        matches!(self.shared.lock().course, Course::GivenBack | Course::Failed)
     }
 
     /// Whether the run goes on, or the robot was given back in order.
     #[must_use]
     pub fn is_in_order(&self) -> bool {
-        let exchange = self.shared.lock();
-        !exchange.is_over || exchange.is_given_back
+        self.shared.lock().course != Course::Failed
     }
 
     /// Time of this cycle since the start.
@@ -105,7 +104,7 @@ impl BoosterWorld {
                 (self.now, self.sensors) = (now, sensors);
                 return;
             }
-            if exchange.is_over {
+            if matches!(exchange.course, Course::GivenBack | Course::Failed) {
                 return;
             }
             exchange = match self.shared.news.wait_timeout(exchange, WAIT) {

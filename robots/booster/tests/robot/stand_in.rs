@@ -147,7 +147,9 @@ impl StandIn {
             let last = self.commands.last().map_or(0, |(at, _)| *at);
             assert!(self.millis - last <= 200, "a pause while gains are on");
         }
-        requests.iter().for_each(|request| self.answer(request));
+        for request in &requests {
+            self.answer(request);
+        }
         if let Some(sensors) = cycle {
             self.cycles += 1;
             self.command = (self.program)(&sensors, self.cycles);
@@ -191,6 +193,11 @@ impl StandIn {
         let service = header["api_id"].as_u64().expect("a service");
         let mode = body["mode"].as_i64();
         self.requests.push((self.millis, service, mode));
+        if mode.is_some_and(|mode| mode != 3) {
+            let gains = self.commands.iter().rfind(|(_, it)| it.motor_cmd.iter().any(|motor| motor.kd > 0.0));
+            let since = gains.map_or(u64::MAX, |(at, _)| self.millis - at);
+            assert!(since >= 30, "the mode would overtake the last gains");
+        }
         self.bodies.push(request.body.clone());
         if self.is_deaf {
             return;

@@ -44,10 +44,28 @@ fn errors_name_the_feature_that_the_program_lacks() {
     {
         refused(args, &["built without", "--features evaluation"]);
     }
+    #[cfg(not(feature = "booster"))]
+    refused(&["play", "--world", "booster", "--robot", "t1"], &["built without", "--features booster"]);
     #[cfg(not(feature = "league"))]
     refused(&["play", "--world", "league"], &["built without", "--features league"]);
     #[cfg(not(feature = "lola"))]
     refused(&["play", "--world", "lola"], &["built without", "--features lola"]);
+}
+
+#[cfg(feature = "booster")]
+#[test]
+fn mistakes_about_a_booster_are_refused() {
+    for (args, words) in [
+        (&["--world", "booster"][..], &["--robot t1", "--robot k1"][..]),
+        (&["--world", "booster", "--robot", "nao"], &["--robot t1", "--robot k1"]),
+        (&["--world", "booster", "--robot", "t1", "--dds-domain", "233"], &["233", "0..=232"]),
+        (&["--world", "booster", "--robot", "t1", "--dds-interface", "nowhere0"], &["nowhere0", "ip address"]),
+        (&["--world", "booster", "--robot", "t1", "--games", "2"], &["--games"]),
+        (&["--world", "booster", "--robot", "t1", "--gait", "firmware", "--record", "a.mcap"], &["--record", "--gait"]),
+        (&["--gait", "firmware"], &["--world booster"]),
+    ] {
+        refused(&[&["play"], args].concat(), words);
+    }
 }
 
 #[cfg(feature = "evaluation")]
