@@ -9,11 +9,11 @@ use bica::{Instant, Tree};
 use bica_app::{App, Console, Failure, Outcome, RunArgs, interrupt};
 use bica_booster::{Body, BoosterWorld, Dds, Gait, K1, Motion, Options, T1, address};
 use bica_motion::robot::Command;
-use bica_player_t1::input::RobotProfile;
-use bica_player_t1::model::set_model;
-use bica_player_t1::motion::{Head, Walk};
-use bica_player_t1::senses::Senses;
-use bica_player_t1::{Forward, K1_PARAMETERS, T1_PARAMETERS};
+use bica_player::input::RobotProfile;
+use bica_player::league::senses::Senses;
+use bica_player::league::{Forward, K1_PARAMETERS, T1_PARAMETERS};
+use bica_player::model::set_model;
+use bica_player::motion::{Head, Walk};
 use bica_recording::{Recording, ReplayOptions, ReplayReport};
 use bica_tuning::Layers;
 
