@@ -3,9 +3,10 @@
     python3 robots/booster/stand_in.py t1|k1 [--domain 0] [--seconds 30] [--fault KIND@SECOND ...] [--player COMMAND ...]
 
 Faults, with times since the program has the robot: nan, count (20 states), gap (0.2 s), silence (1 s), deaf (no answers, 0.8 s), leave
-(to damping), fall (maker's gait); `refuse@S` refuses all modes until S seconds after the first request. With --player, the last option,
-the command is started, ended by SIGTERM after --seconds, and must end with exit code 0 within 6 s. Needs `cyclonedds`. Exit code 1 after
-a violation.
+(to damping), fall (maker's gait), push (with --mujoco, to the ground); `refuse@S` refuses all modes until S seconds after the first
+request. With --player, the last option, the command is started, ended by SIGTERM after --seconds, and must end with exit code 0 within
+6 s. With --mujoco, the robot has dynamics, and its pose is printed each second. Needs `cyclonedds` and, for --mujoco, `mujoco`. Exit code
+1 after a violation.
 """
 
 import argparse
@@ -56,7 +57,7 @@ def qos(reliable, local=False, depth=1):
 
 
 class Robot:
-    def __init__(self, robot, domain, faults):
+    def __init__(self, robot, domain, faults, has_dynamics=False):
         participant = DomainParticipant(domain)
         topic = lambda name, kind: Topic(participant, name, kind)
         self.states = DataWriter(participant, topic("rt/low_state", LowState), qos=qos(False))
@@ -69,7 +70,12 @@ class Robot:
         self.q = [0.0] * len(self.ranges)
         for index, value in ((3, -1.4), (7, 1.4)):
             self.q[index] = value
-        self.mode, self.mode_since, self.prepared, self.left = DAMPING, 0.0, None, None
+        self.dynamics, self.dq, self.stepped, self.track = None, [0.0] * len(self.q), 0, []
+        if has_dynamics:
+            from dynamics import Dynamics
+            self.dynamics = Dynamics(robot, self.torque)
+            self.q, self.dq = self.dynamics.angles()
+        self.mode, self.mode_since, self.left = DAMPING, 0.0, None
         self.start, self.entered, self.now = time.monotonic(), None, 0.0
         self.last, self.last_at, self.gains, self.had_gains = None, 0.0, False, False
         self.refuses = max((at for kind, at in faults if kind == "refuse"), default=0.0)
@@ -98,6 +104,8 @@ class Robot:
             if kind == "leave":
                 self.set_mode(DAMPING)
                 self.left = self.now
+            if kind == "push" and self.dynamics:
+                self.dynamics.push()
             if kind == "fall":
                 self.fall, self.fell = 2, self.now
 
@@ -111,12 +119,12 @@ class Robot:
             return
         self.silent_since = self.rested = None
         noise = random.Random(number).gauss
-        motors = [MotorState(0, value + noise(0, 1e-4), 0.0, 0.0, 0.0, 40, 0, [0, 0]) for value in self.q]
+        motors = [MotorState(0, value + noise(0, 1e-4), speed, 0.0, 0.0, 40, 0, [0, 0]) for value, speed in zip(self.q, self.dq)]
         if self.is_active("nan"):
             motors[number % len(motors)].q = math.nan
         serial = motors[:-1] if self.is_active("count") else motors
-        imu = ImuState([noise(0, 1e-3), noise(0, 1e-3), 0.0], [noise(0, 1e-3) for _ in range(3)],
-                       [noise(0, 0.02), noise(0, 0.02), 9.81 + noise(0, 0.02)])
+        measured = self.dynamics.inertial() if self.dynamics else ([0.0] * 3, [0.0] * 3, [0.0, 0.0, 9.81])
+        imu = ImuState(*([value + noise(0, sigma) for value in values] for values, sigma in zip(measured, (1e-3, 1e-3, 0.02))))
         self.states.write(LowState(imu, motors, serial))
         self.count("states")
         if number % 10 == 0:
@@ -171,7 +179,7 @@ class Robot:
             elif max(abs(motor.q - value) for motor, value in zip(motors, self.rested)) > 1e-4:
                 self.violation("targets move without states")
         for index, motor in enumerate(motors):
-            if motor.kp > 0:
+            if motor.kp > 0 and not self.dynamics:
                 self.q[index] = motor.q
 
     def answer(self, request):
@@ -236,7 +244,20 @@ class Robot:
             self.fall = 0
         if self.silent_since is not None and self.now - self.silent_since > 0.5 + 3 * LATENCY and self.mode == CUSTOM and self.gains:
             self.violation("no damping without states")
+        if self.dynamics:
+            self.move(number)
         self.publish(number)
+
+    def move(self, number):
+        is_commanded = self.mode == CUSTOM and self.last is not None
+        # The robot hangs on a crane until a program has it: the firmware's own balance is not modelled.
+        is_held = self.mode in (PREPARE, WALKING, SOCCER) or self.entered is None
+        self.dynamics.advance(min(number - self.stepped, 10), self.last if is_commanded else None, is_held)
+        self.stepped = number
+        self.q, self.dq = self.dynamics.angles()
+        if not self.track or self.now - self.track[-1][0] >= 1.0:
+            self.track.append((self.now, *self.dynamics.pose()))
+            print("pose at {:.1f} s: x {:.3f} m, y {:.3f} m, height {:.3f} m, yaw {:.3f} rad".format(*self.track[-1]), flush=True)
 
 
 def run(robot, seconds, player):
@@ -272,10 +293,11 @@ def main():
     parser.add_argument("--domain", type=int, default=0)
     parser.add_argument("--seconds", type=float, default=30.0)
     parser.add_argument("--fault", action="append", default=[])
+    parser.add_argument("--mujoco", action="store_true")
     parser.add_argument("--player", nargs=argparse.REMAINDER)
     options = parser.parse_args()
     faults = [(kind, float(at)) for kind, at in (fault.split("@") for fault in options.fault)]
-    robot = Robot(options.robot, options.domain, faults)
+    robot = Robot(options.robot, options.domain, faults, options.mujoco)
     is_ended = run(robot, options.seconds, options.player)
     if robot.entered is None:
         robot.violation("nobody has taken the robot")

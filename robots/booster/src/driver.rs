@@ -60,6 +60,17 @@ pub struct Outputs {
     pub notes: Vec<String>,
 }
 
+/// Where a cycle of the robot program is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Turn {
+    /// The robot program computes.
+    Offered,
+    /// Its answer is not sent yet.
+    Fresh,
+    /// The next cycle may begin.
+    Sent,
+}
+
 /// Driver of a robot. It knows no clock and no network.
 pub struct Driver {
     pub(crate) body: &'static Body,
@@ -80,7 +91,7 @@ pub struct Driver {
     pub(crate) limp_since: Option<Duration>,
     pub(crate) has_gains: bool,
     pub(crate) is_given_back: bool,
-    pub(crate) is_answered: bool,
+    pub(crate) turn: Turn,
     pub(crate) last: Command,
     pub(crate) motion: Motion,
     /// When the end was requested.
@@ -122,7 +133,7 @@ impl Driver {
             limp_since: None,
             has_gains: false,
             is_given_back: false,
-            is_answered: true,
+            turn: Turn::Sent,
             last: Command::new(body.model.stand, 1.0),
             motion: Motion::default(),
             stopped: None,
@@ -142,11 +153,11 @@ impl Driver {
             Phase::Entering => self.enter(now),
             Phase::Rising(transition) => self.rise(now, &transition),
             Phase::Following if self.gait == Gait::Firmware => self.follow_firmware(now),
-            Phase::Following => self.follow(now, inputs.command.is_some()),
+            Phase::Following => self.follow(now),
             Phase::Unknown => self.find_mode(now),
             Phase::Damping => self.damp(now),
             Phase::Left => self.stay_limp(now),
-            Phase::Ending(ending) => self.end(now, ending, inputs.command.is_some()),
+            Phase::Ending(ending) => self.end(now, ending),
             Phase::Over => {}
         }
         if self.heard.is_some() && self.phase != Phase::Over {
@@ -209,7 +220,7 @@ impl Driver {
             }
         }
         if let Some((command, motion)) = inputs.command {
-            self.is_answered = true;
+            self.turn = Turn::Fresh;
             if command.check().is_ok() {
                 (self.last, self.motion) = (self.without_limp_legs(command), motion);
             }

@@ -43,7 +43,7 @@ impl Driver {
     }
 
     /// The next step of the end.
-    pub(crate) fn end(&mut self, now: Duration, ending: Ending, is_new: bool) {
+    pub(crate) fn end(&mut self, now: Duration, ending: Ending) {
         let since = self.stopped.map_or(Duration::ZERO, |stopped| now.saturating_sub(stopped));
         if since >= LONGEST_END {
             self.stay_limp(now);
@@ -53,7 +53,7 @@ impl Driver {
         }
         match ending {
             Ending::Halt(still) if self.gait == Gait::Firmware => self.halt_firmware(since, still),
-            Ending::Halt(still) => self.halt(now, since, still, is_new),
+            Ending::Halt(still) => self.halt(now, since, still),
             Ending::Release => self.release(now),
             Ending::Hold => self.hold(now, since),
             Ending::Damp => self.end_damped(now),
@@ -65,8 +65,8 @@ impl Driver {
     }
 
     /// The robot program ends its step and stands.
-    fn halt(&mut self, now: Duration, since: Duration, still: Option<(Joints, Duration)>, is_new: bool) {
-        self.follow(now, is_new);
+    fn halt(&mut self, now: Duration, since: Duration, still: Option<(Joints, Duration)>) {
+        self.follow(now);
         if !matches!(self.phase, Phase::Ending(_)) {
             // The robot has left the mode, or is silent.
             return self.ends_with(Ending::Release);

@@ -3,13 +3,15 @@
 use std::time::Duration;
 
 use crate::CYCLE;
-use crate::driver::{Driver, REST, SILENT};
+use crate::driver::{Driver, REST, SILENT, Turn};
 use crate::firmware::{Motion, Standing};
 use crate::message::LowCmd;
 use crate::phase::{Phase, Waiting};
 use crate::rpc::Mode;
 use crate::start::HEARD_AGAIN;
 
+/// Least time between two commands: an answer that is early waits, so that no target moves faster than the limiter allows.
+const SOONEST: Duration = Duration::from_millis(8);
 /// Time after which the last targets are sent again if the robot program is late.
 const LATE: Duration = Duration::from_millis(20);
 /// Time for which commands without gains follow those with gains.
@@ -39,7 +41,7 @@ impl Driver {
         false
     }
 
-    pub(crate) fn follow(&mut self, now: Duration, is_new: bool) {
+    pub(crate) fn follow(&mut self, now: Duration) {
         if !self.may_command(now) {
             return;
         }
@@ -49,10 +51,9 @@ impl Driver {
             }
             return;
         }
-        if is_new {
-            self.command(now);
-        } else if self.since_sent(now) >= LATE {
-            self.counts.late += 1;
+        let is_fresh = self.turn == Turn::Fresh;
+        if self.since_sent(now) >= if is_fresh { SOONEST } else { LATE } {
+            self.counts.late += u64::from(!is_fresh);
             self.command(now);
         }
         self.offer(now);
@@ -61,7 +62,7 @@ impl Driver {
     /// Offers the robot program a cycle if it is time to.
     pub(crate) fn offer(&mut self, now: Duration) {
         let since = self.offered.map_or(CYCLE, |offered| now.saturating_sub(offered));
-        if !self.is_answered || since < CYCLE {
+        if self.turn == Turn::Offered || since < CYCLE {
             return;
         }
         let Some(mut sensors) = self.sensors else { return };
@@ -69,7 +70,7 @@ impl Driver {
         self.estimator.complete(&mut sensors, since.min(10 * CYCLE).as_secs_f32());
         // The robot's own estimate is better than that of this filter, which serves the forces on the soles.
         (sensors.inertial.roll, sensors.inertial.pitch) = (roll, pitch);
-        (self.offered, self.is_answered) = (Some(now), false);
+        (self.offered, self.turn) = (Some(now), Turn::Offered);
         self.counts.cycles += 1;
         self.out.cycle = Some(sensors);
     }
@@ -84,6 +85,9 @@ impl Driver {
         let (targets, stiffness) = (self.last.targets, self.last.stiffness);
         let command = self.limiter.command(&targets, &stiffness, &self.measured(), seconds);
         self.put(now, command);
+        if self.turn == Turn::Fresh {
+            self.turn = Turn::Sent;
+        }
     }
 
     /// Sends targets that do not move.

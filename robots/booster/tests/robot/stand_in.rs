@@ -31,6 +31,8 @@ pub(crate) struct StandIn {
     pub(crate) tolerated: u32,
     pub(crate) stop: bool,
     pub(crate) program: fn(&Sensors<'_>, u64) -> Option<Command>,
+    /// Time that the program takes in a cycle, ms.
+    pub(crate) latency: fn(u64) -> u64,
     pub(crate) motion: Motion,
     pub(crate) requests: Vec<Requested>,
     pub(crate) bodies: Vec<String>,
@@ -38,7 +40,8 @@ pub(crate) struct StandIn {
     pub(crate) cycles: u64,
     pub(crate) notes: Vec<String>,
     answers: Vec<(u64, RpcRespMsg)>,
-    command: Option<Command>,
+    /// Answer of the program, and when it comes, ms.
+    command: Option<(u64, Command)>,
 }
 
 /// Commands the stand.
@@ -65,6 +68,7 @@ impl StandIn {
             tolerated: 0,
             stop: false,
             program: |_, _| Some(Command::new(bica_booster::T1.model.stand, 1.0)),
+            latency: |_| 0,
             motion: Motion::default(),
             requests: Vec::new(),
             bodies: Vec::new(),
@@ -118,7 +122,7 @@ impl StandIn {
         self.answers = later;
         let answers: Vec<_> = due.into_iter().map(|(_, answer)| answer).collect();
         let fall = FallDownState { fall_down_state: self.fall, is_recovery_available: self.fall == 2 };
-        let command = self.command.take();
+        let command = self.command.take_if(|(at, _)| *at <= now).map(|(_, command)| command);
         let inputs = Inputs {
             states: &states,
             fall: Some(fall),
@@ -152,7 +156,8 @@ impl StandIn {
         }
         if let Some(sensors) = cycle {
             self.cycles += 1;
-            self.command = (self.program)(&sensors, self.cycles);
+            let at = self.millis + 1 + (self.latency)(self.cycles);
+            self.command = (self.program)(&sensors, self.cycles).map(|command| (at, command));
         }
     }
 

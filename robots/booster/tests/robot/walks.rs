@@ -45,6 +45,15 @@ fn program_runs_at_one_hundred_hertz() {
 }
 
 #[test]
+fn early_answer_after_a_late_one_waits() {
+    let mut robot = StandIn::following(T1, Gait::Own);
+    robot.latency = |cycle| if cycle % 3 == 0 { 9 } else { 0 };
+    robot.run(2000);
+    let times: Vec<_> = robot.commands.iter().map(|(at, _)| *at).collect();
+    assert!(times.windows(2).all(|pair| pair[1] - pair[0] >= 8), "{times:?}");
+}
+
+#[test]
 fn late_program_leaves_the_last_targets() {
     let mut robot = StandIn::following(T1, Gait::Own);
     robot.program = |_, _| None;
