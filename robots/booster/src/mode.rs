@@ -7,6 +7,8 @@ use crate::rpc::{Answer, Calls, Mode, Request};
 
 /// Least time between two requests to change the mode.
 const BETWEEN_CHANGES: Duration = Duration::from_millis(1_100);
+/// Time that an accepted change may take before it is requested again.
+const TRANSITION: Duration = Duration::from_secs(4);
 /// Time between two questions for the mode.
 const BETWEEN_QUESTIONS: Duration = Duration::from_millis(400);
 /// Time after which an answer says nothing about the mode of now.
@@ -17,7 +19,7 @@ const FRESH: Duration = Duration::from_millis(1_500);
 pub(crate) struct ModeKeeper {
     calls: Calls,
     known: Option<(Mode, Duration)>,
-    /// The last change that was requested, and when.
+    /// The last change that was requested, and from when on it is requested again.
     changed: Option<(Mode, Duration)>,
     asked: Option<Duration>,
     /// Status of the last change, if it was refused.
@@ -38,9 +40,10 @@ impl ModeKeeper {
     pub(crate) fn take(&mut self, now: Duration, message: &RpcRespMsg) -> Option<Answer> {
         let answer = self.calls.answer(message)?;
         match (answer.request, answer.status, answer.mode) {
+            // The robot may need time for the change: only its own word counts, and it is asked at once.
             (Request::Change(mode), 0, _) => {
-                self.known = Some((mode, now));
-                self.refused = None;
+                (self.refused, self.asked) = (None, None);
+                self.changed = self.changed.map(|(last, at)| (last, if last == mode { now + TRANSITION } else { at }));
             }
             (Request::Change(_), status, _) => self.refused = Some(status),
             // An answer to a question may be older than a change that was requested after it.
@@ -56,11 +59,10 @@ impl ModeKeeper {
         if self.known(now) == Some(mode) {
             return None;
         }
-        let waits = |since: Duration| now.saturating_sub(since) < BETWEEN_CHANGES;
-        if self.changed.is_some_and(|(last, since)| last == mode && waits(since)) {
+        if self.changed.is_some_and(|(last, again)| last == mode && now < again) {
             return None;
         }
-        self.changed = Some((mode, now));
+        self.changed = Some((mode, now + BETWEEN_CHANGES));
         self.refused = None;
         self.calls.forget(Request::Ask);
         self.calls.forget(Request::Change(mode));
@@ -120,7 +122,10 @@ mod tests {
         assert_eq!(keeper.ask(at(500)), None, "while the change is on its way");
         keeper.take(at(510), &answer(&change, 0, ""));
         keeper.take(at(511), &answer(&question, 0, r#"{"mode":1}"#));
-        assert_eq!(keeper.known(at(520)), Some(Mode::Custom));
+        assert_eq!(keeper.known(at(520)), None, "an accepted change may take time");
+        let question = keeper.ask(at(520)).expect("it is asked at once");
+        keeper.take(at(530), &answer(&question, 0, r#"{"mode":3}"#));
+        assert_eq!(keeper.known(at(540)), Some(Mode::Custom));
     }
 
     #[test]

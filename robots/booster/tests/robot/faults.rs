@@ -19,6 +19,18 @@ fn refused_mode_is_asked_again_once_a_second() {
 }
 
 #[test]
+fn change_of_the_mode_may_take_time() {
+    for transition in [50, 700, 3000] {
+        let mut robot = StandIn::new(T1, Gait::Own);
+        robot.transition = transition;
+        robot.run(12_000);
+        assert!(robot.has_gains() && robot.mode == 3, "{transition} ms: {:?}", robot.notes);
+        robot.stop = true;
+        robot.run_to_the_end();
+    }
+}
+
+#[test]
 fn mode_left_takes_the_gains_away_for_good() {
     for mode in [0, 1, 2, 4, 9] {
         let mut robot = StandIn::following(T1, Gait::Own);

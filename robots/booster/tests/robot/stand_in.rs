@@ -29,6 +29,9 @@ pub(crate) struct StandIn {
     pub(crate) delay: u64,
     /// Number of steps in which gains and velocities in another mode are not judged: the driver cannot know it yet.
     pub(crate) tolerated: u32,
+    /// Time from the answer until the mode changes, ms.
+    pub(crate) transition: u64,
+    pub(crate) next_mode: Option<(u64, i64)>,
     pub(crate) stop: bool,
     pub(crate) program: fn(&Sensors<'_>, u64) -> Option<Command>,
     /// Time that the program takes in a cycle, ms.
@@ -66,6 +69,8 @@ impl StandIn {
             status: 0,
             delay: 5,
             tolerated: 0,
+            transition: 0,
+            next_mode: None,
             stop: false,
             program: |_, _| Some(Command::new(bica_booster::T1.model.stand, 1.0)),
             latency: |_| 0,
@@ -116,6 +121,9 @@ impl StandIn {
     }
 
     fn step(&mut self) {
+        if let Some((_, mode)) = self.next_mode.take_if(|(at, _)| *at <= self.millis) {
+            self.mode = mode;
+        }
         let states = if self.is_silent || self.millis % 2 == 1 { vec![] } else { vec![self.state()] };
         let now = self.millis;
         let (due, later) = self.answers.drain(..).partition::<Vec<_>, _>(|(at, _)| *at <= now);
@@ -209,7 +217,8 @@ impl StandIn {
         }
         let (mut status, mut result) = (0, String::new());
         match (service, mode) {
-            (2000, Some(mode)) if self.status == 0 => self.mode = mode,
+            (2000, Some(mode)) if self.status == 0 && self.transition == 0 => self.mode = mode,
+            (2000, Some(mode)) if self.status == 0 => self.next_mode = Some((self.millis + self.transition, mode)),
             (2000, _) => status = self.status,
             (2001, _) => assert!(matches!(self.mode, 2 | 4) || self.tolerated > 0, "a velocity in mode {}", self.mode),
             (2008, _) => self.fall = 3,
