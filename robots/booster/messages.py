@@ -91,7 +91,6 @@ LISTS = {"motor_state_parallel": MotorState, "motor_state_serial": MotorState, "
 
 
 def single(value):
-    """The nearest number of 32 bits."""
     return struct.unpack("<f", struct.pack("<f", value))[0]
 
 
@@ -107,10 +106,8 @@ def random_message(kind, numbers):
             values[name] = [single(numbers.gauss(0, 5)) for _ in range(3)]
         elif name == "reserve":
             values[name] = [numbers.getrandbits(32) for _ in range(2)]
-        elif name in ("mode", "temperature"):
-            values[name] = numbers.getrandbits(8)
-        elif name in ("lost", "cmd_type", "fall_down_state"):
-            values[name] = numbers.getrandbits(32)
+        elif name in ("mode", "temperature", "lost", "cmd_type", "fall_down_state"):
+            values[name] = numbers.getrandbits(8 if name in ("mode", "temperature") else 32)
         elif name == "is_recovery_available":
             values[name] = bool(numbers.getrandbits(1))
         elif kind in (RpcReqMsg, RpcRespMsg):
@@ -127,7 +124,6 @@ def plain(message):
 
 
 def rounded(value):
-    """A value of JSON with numbers of 32 bits."""
     if isinstance(value, dict):
         return {name: rounded(item) for name, item in value.items()}
     if isinstance(value, list):
@@ -153,15 +149,14 @@ def main():
             message = random_message(TYPES[numbers.choice(list(TYPES))], numbers)
             print(type(message).__name__, encode(message).hex(), json.dumps(plain(message)), sep="\t")
         return 0
-    count = 0
-    for line in sys.stdin:
+    lines = list(sys.stdin)
+    for line in lines:
         name, data, text = line.rstrip("\n").split("\t")
         message, expected = decode(TYPES[name], bytes.fromhex(data)), rounded(json.loads(text))
         if plain(message) != expected or encode(message).hex() != data:
             print(f"{name} differs: {plain(message)}\n{expected}", file=sys.stderr)
             return 1
-        count += 1
-    print(count)
+    print(len(lines))
     return 0
 
 

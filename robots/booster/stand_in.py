@@ -19,8 +19,8 @@ import subprocess
 import sys
 import time
 
-ANY = "<Any><General><Interfaces><NetworkInterface address='127.0.0.1' multicast='true'/></Interfaces></General></Any>"
-os.environ.setdefault("CYCLONEDDS_URI", "<CycloneDDS>" + ANY.replace("Any>", "Domain>") + "</CycloneDDS>")
+LOOPBACK = "<General><Interfaces><NetworkInterface address='127.0.0.1' multicast='true'/></Interfaces></General>"
+os.environ.setdefault("CYCLONEDDS_URI", f"<CycloneDDS><Domain>{LOOPBACK}</Domain></CycloneDDS>")
 
 from cyclonedds.core import Policy, Qos  # noqa: E402
 from cyclonedds.domain import DomainParticipant  # noqa: E402
@@ -40,14 +40,10 @@ DAMPING, PREPARE, WALKING, CUSTOM, SOCCER = range(5)
 LATENCY = 0.1  # s, of messages that were on their way when the mode changed or a fault began
 
 
-def mirrored(ranges, signs):
-    return [(low, high) if same else (-high, -low) for (low, high), same in zip(ranges, signs)]
-
-
 def ranges(robot):
     waist = [(-1.57, 1.57)] if robot == "t1" else []
-    leg = LEGS[robot]
-    return (HEAD[robot] + ARM + mirrored(ARM, (1, 0, 1, 0)) + waist + leg + mirrored(leg, (1, 0, 1, 1, 1, 1)))
+    arm, leg = ([(-high, -low) if index % 2 else (low, high) for index, (low, high) in enumerate(limb)] for limb in (ARM, LEGS[robot]))
+    return HEAD[robot] + ARM + arm + waist + LEGS[robot] + leg[:2] + LEGS[robot][2:]
 
 
 def qos(reliable, local=False, depth=1):
@@ -197,11 +193,9 @@ class Robot:
         if service == 2000:
             status = self.change(body.get("mode"))
         elif service == 2001:
-            if self.mode not in (WALKING, SOCCER) and self.now - self.mode_since > 0.6:
-                self.violation(f"a velocity in mode {self.mode}")
-            if set(body) != {"vx", "vy", "vyaw"}:
-                self.violation(f"velocity {body}")
-            self.velocity = body
+            is_early = self.mode not in (WALKING, SOCCER) and self.now - self.mode_since > 0.6
+            if is_early or set(body) != {"vx", "vy", "vyaw"}:
+                self.violation(f"velocity {body} in mode {self.mode}")
         elif service == 2008:
             if self.fall != 2:
                 self.violation("getting up without a fall")
@@ -299,17 +293,13 @@ def main():
     faults = [(kind, float(at)) for kind, at in (fault.split("@") for fault in options.fault)]
     robot = Robot(options.robot, options.domain, faults, options.mujoco)
     is_ended = run(robot, options.seconds, options.player)
-    if robot.entered is None:
-        robot.violation("nobody has taken the robot")
-    if robot.faults:
-        robot.violation(f"no time for the faults {robot.faults}")
+    if robot.entered is None or robot.faults:
+        robot.violation(f"nobody has taken the robot, or there was no time for the faults {robot.faults}")
     if options.player:
         if not is_ended:
             robot.violation("exit code")
-        if robot.left is None and robot.mode not in (DAMPING, PREPARE):
-            robot.violation(f"the robot is left in mode {robot.mode}")
-        if robot.gains:
-            robot.violation("the robot is left with gains")
+        if robot.gains or (robot.left is None and robot.mode not in (DAMPING, PREPARE)):
+            robot.violation(f"the robot is left in mode {robot.mode}, with gains: {robot.gains}")
     entered = "never" if robot.entered is None else f"{robot.entered:.2f} s"
     print(f"{len(robot.violations)} violations; taken at {entered}; mode {robot.mode}; fastest target {robot.speed:.1f} rad/s; "
           + ", ".join(f"{name}: {count}" for name, count in sorted(robot.counts.items())))
