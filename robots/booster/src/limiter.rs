@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn targets_are_reached_and_start_anew_after_a_limp_command() {
+    fn targets_are_reached_and_start_anew_when_limp() {
         let mut limiter = Limiter::new(T1);
         let (zero, stand) = (Joints::all(0.0), T1.model.stand);
         for _ in 0..100 {
