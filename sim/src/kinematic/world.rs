@@ -1,11 +1,12 @@
 //! The kinematic world: body, ball, obstacles, camera and referee.
 
+use core::f32::consts::PI;
 use core::time::Duration;
 
 use bica_core::action::Actions;
 use bica_motion::joints::Joint;
 use bica_motion::model::simulation::SimulatedModel;
-use bica_motion::pose::Pose2;
+use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::{Buttons, CameraId, Command, Image, Sensors};
 use glam::{Affine3A, Vec2};
 
@@ -48,6 +49,21 @@ pub struct KinematicWorld {
     /// Limb motions that an operator has requested.
     pub(crate) limbs: LimbMotions,
     pushes: Pushes,
+    /// Whether the robot has touched the ball in the last cycle.
+    touches: bool,
+}
+
+/// Another robot on the field, in the frame of a world.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Other {
+    /// Pose on the ground.
+    pub(super) pose: Pose2,
+    /// Its parts.
+    pub(super) posed: PosedRobot,
+    /// Whether it lies.
+    pub(super) is_down: bool,
+    /// Whether it belongs to the team of the world's robot.
+    pub(super) is_teammate: bool,
 }
 
 impl KinematicWorld {
@@ -84,6 +100,7 @@ impl KinematicWorld {
             image_is_new: false,
             limbs: LimbMotions::default(),
             pushes: Pushes::default(),
+            touches: false,
         };
         world.resolve_collisions();
         Ok(world)
@@ -110,6 +127,48 @@ impl KinematicWorld {
         Ok(())
     }
 
+    /// Whether the robot has touched the ball in the last cycle.
+    pub(super) const fn touches(&self) -> bool {
+        self.touches
+    }
+
+    /// Position and velocity of the ball, m and m/s.
+    pub(super) const fn ball(&self) -> [Vec2; 2] {
+        [self.ball.position, self.ball.velocity]
+    }
+
+    /// Sets position and velocity of the ball: another robot has moved it.
+    pub(super) fn follow_ball(&mut self, [position, velocity]: [Vec2; 2]) {
+        (self.ball.position, self.ball.velocity) = (position, velocity);
+        self.referee.set_ball(position, velocity);
+    }
+
+    /// The robot as another one on the field, in the frame of the own team, or, `turned`, in that of the other one.
+    pub(super) fn as_other(&self, turned: bool, is_teammate: bool) -> Other {
+        let turn = if turned { Affine3A::from_rotation_z(PI) } else { Affine3A::IDENTITY };
+        let pose = self.body.pose();
+        Other {
+            pose: if turned { Pose2 { position: -pose.position, heading: wrap(pose.heading + PI) } } else { pose },
+            posed: PosedRobot::new(self.model, turn * *self.body.robot(), self.body.skeleton()),
+            is_down: matches!(self.body.posture(), Posture::Down(_)),
+            is_teammate,
+        }
+    }
+
+    /// Sets the other robots on the field, as obstacles, for the referee and in the next image.
+    pub(super) fn set_others(&mut self, others: &[Other]) {
+        self.obstacles.truncate(GOALS.len());
+        let model = self.model;
+        let obstacle = |other: &Other| {
+            if other.is_down { Obstacle::lying(model, &other.posed.robot) } else { Obstacle::legs(model, &other.pose) }
+        };
+        self.obstacles.extend(others.iter().map(obstacle));
+        self.referee.set_others(others.iter().map(|other| other.pose));
+        if image_is_due(self.cycle) {
+            self.renderer.set_others(others.iter().map(|other| (other.posed, other.pose.position, other.is_teammate)));
+        }
+    }
+
     /// Renders the label of each pixel of an image taken now, row by row from the top left. Ground truth, for evaluation
     /// only. Takes about as long as an image.
     pub fn segmentation_mask(&mut self) -> Vec<PixelLabel> {
@@ -132,6 +191,7 @@ impl KinematicWorld {
             obstacles.push(Obstacle::lying(self.model, self.body.robot()));
         }
         let touching = ball_motion::advance(self.model, &mut self.ball, motions, &obstacles);
+        self.touches = touching.is_some();
         self.rules.record_touch(now, touching, self.ball.velocity.length(), &mut self.referee);
         if let Some(place) = self.rules.apply(now, self.ball.position, &mut self.referee) {
             self.ball = Ball::at(place, self.ball.rolling_deceleration);

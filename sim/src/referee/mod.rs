@@ -46,6 +46,12 @@ impl Referee {
         (self.ball, self.ball_velocity) = (ball, velocity);
     }
 
+    /// Sets the true poses of the other robots. For worlds in which they move.
+    pub fn set_others(&mut self, others: impl Iterator<Item = Pose2>) {
+        self.others.clear();
+        self.others.extend(others);
+    }
+
     /// Appends an event; times must not decrease. For implementations of worlds.
     pub fn record(&mut self, at: Duration, event: Event) {
         self.events.push(TimedEvent { at, event });

@@ -67,10 +67,13 @@ pub(crate) struct Renderer {
     ground: Ground,
     hall: Hall,
     sensor: ImageSensor,
-    /// Objects that never move.
+    /// Objects that the robot does not move: goals, then other robots.
     static_objects: Vec<Group>,
+    /// Number of those that are parts of goals.
+    goals: usize,
     ball: Pixel,
-    colours: RobotColours,
+    /// Colours of the other team and of the own one.
+    team_colours: [RobotColours; 2],
 }
 
 impl Scene {
@@ -94,12 +97,9 @@ impl Renderer {
         };
         let goals = goal::goals(layout.attacks, &palette).into_iter();
         let mut static_objects: Vec<Group> = goals.map(|part| Group::of_one(PixelLabel::Goal, part)).collect();
-        let others = layout.others.iter().enumerate();
-        static_objects.extend(others.map(|(index, other)| {
-            let (robot, colours) = (standing(&other.pose), colours(other.teammate));
-            let parts = robot.solids(colours).into_iter().chain(robot.shadows()).collect();
-            Group { label: PixelLabel::OtherRobot(index), place: other.pose.position, parts }
-        }));
+        let (goals, team_colours) = (static_objects.len(), [colours(false), colours(true)]);
+        let others = layout.others.iter().map(|other| (standing(&other.pose), other.pose.position, other.teammate));
+        static_objects.extend(groups(others, team_colours));
         Self {
             seed: setup.seed,
             canvas: Canvas::new(width, height),
@@ -109,8 +109,15 @@ impl Renderer {
             sensor: ImageSensor::new(&palette, width, height, &mut camera),
             static_objects,
             ball: palette.pixel(palette::ORANGE),
-            colours: colours(true),
+            goals,
+            team_colours,
         }
+    }
+
+    /// Sets the other robots: each with its place, m, and whether it is a teammate.
+    pub(crate) fn set_others(&mut self, others: impl Iterator<Item = (PosedRobot, Vec2, bool)>) {
+        self.static_objects.truncate(self.goals);
+        self.static_objects.extend(groups(others, self.team_colours));
     }
 
     /// Width and height of images, pixels.
@@ -145,7 +152,7 @@ impl Renderer {
 
     /// Returns the body that carries the camera, without its head.
     fn own(&self, view: &PinholeCamera, scene: &Scene) -> Group {
-        let parts = scene.robot.below_the_head(self.colours);
+        let parts = scene.robot.below_the_head(self.team_colours[1]);
         Group { label: PixelLabel::OwnBody, place: view.pose.translation.truncate(), parts }
     }
 
@@ -161,7 +168,7 @@ impl Renderer {
         let view = PinholeCamera::of_spectator(camera.pose(), width, height);
         self.hall.draw(&view, &self.ground, &mut self.canvas);
         self.draw_shadows(&view, scene);
-        let parts = scene.robot.solids(self.colours);
+        let parts = scene.robot.solids(self.team_colours[1]);
         let place = Vec3::from(scene.robot.robot.translation).truncate();
         self.draw_solids(&view, scene, &Group { label: PixelLabel::OwnBody, place, parts }, |_, _| ());
         let drawn = core::mem::replace(&mut self.canvas, image_canvas);
@@ -214,4 +221,14 @@ fn rgb([luma, blue, red, _]: Pixel) -> [u8; 3] {
 
 fn sort_far_first<T>(items: &mut [T], distance: impl Fn(&T) -> f32) {
     items.sort_by(|a, b| distance(b).total_cmp(&distance(a)));
+}
+/// Returns the parts of other robots, each with its place, m, and whether it is a teammate.
+fn groups(
+    others: impl Iterator<Item = (PosedRobot, Vec2, bool)>,
+    team_colours: [RobotColours; 2],
+) -> impl Iterator<Item = Group> {
+    others.enumerate().map(move |(index, (robot, place, is_teammate))| {
+        let parts = robot.solids(team_colours[usize::from(is_teammate)]).into_iter().chain(robot.shadows()).collect();
+        Group { label: PixelLabel::OtherRobot(index), place, parts }
+    })
 }

@@ -1,0 +1,234 @@
+//! A field with the robots of two teams.
+
+use bica_motion::model::simulation::SimulatedModel;
+use bica_motion::pose::Pose2;
+use bica_motion::robot::{Command, Sensors};
+use glam::Vec2;
+
+use super::KinematicWorld;
+use super::world::Other;
+use crate::referee::{Event, Posture, Referee};
+use crate::setup::{Setup, SetupError, Start};
+use crate::world::World;
+
+/// A robot at the start of a match.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Entrant {
+    /// Team: whether it is the second one, which attacks the other goal.
+    pub is_second: bool,
+    /// Pose in the frame of the field of its own team: x towards the goal that the team attacks.
+    pub at: Pose2,
+}
+
+/// A field with several robots that move. Each has a world of its own, in the frame of its team, in which the others are obstacles
+/// and are seen; the ball is one. A robot that overlaps another one is moved out of it. Robots do not push each other over.
+#[derive(Clone, Debug)]
+pub struct MatchField {
+    worlds: Vec<KinematicWorld>,
+    entrants: Vec<Entrant>,
+}
+
+impl MatchField {
+    /// Builds a field in its start state, with the ball at the centre. The seed of a robot is that of `setup` plus its index; start
+    /// positions, goalkeeper and number of robots of `setup` have no effect.
+    ///
+    /// # Errors
+    /// If a robot does not fit at its pose.
+    pub fn new(model: &'static SimulatedModel, setup: &Setup, entrants: &[Entrant]) -> Result<Self, SetupError> {
+        let attacks = setup.attacks.unwrap_or(bica_field::GoalColour::Yellow);
+        let world = |(index, entrant): (u64, &Entrant)| {
+            let setup = Setup {
+                seed: setup.seed.wrapping_add(index),
+                goalkeeper: false,
+                robots: 0,
+                start: Some(Start { robot: entrant.at, ball: Vec2::ZERO }),
+                attacks: Some(if entrant.is_second { attacks.other() } else { attacks }),
+                ..*setup
+            };
+            KinematicWorld::new(model, &setup)
+        };
+        let worlds = (0..).zip(entrants).map(world).collect::<Result<_, _>>()?;
+        let mut field = Self { worlds, entrants: entrants.to_vec() };
+        field.share_robots();
+        Ok(field)
+    }
+
+    /// Number of robots.
+    #[must_use]
+    pub const fn robots(&self) -> usize {
+        self.worlds.len()
+    }
+
+    /// The worlds of all robots, to read their sensors side by side. Only [`act`](Self::act) may act in them.
+    pub fn worlds_mut(&mut self) -> &mut [KinematicWorld] {
+        &mut self.worlds
+    }
+
+    /// Sensor values of a robot.
+    ///
+    /// # Panics
+    /// If there is no robot with this index.
+    pub fn sensors(&mut self, robot: usize) -> Sensors<'_> {
+        self.worlds[robot].sensors()
+    }
+
+    /// Truth of a robot in the frame of its own team.
+    ///
+    /// # Panics
+    /// If there is no robot with this index.
+    #[must_use]
+    pub fn truth(&self, robot: usize) -> &Referee {
+        self.worlds[robot].referee()
+    }
+
+    /// Whether a robot lies.
+    ///
+    /// # Panics
+    /// If there is no robot with this index.
+    #[must_use]
+    pub fn is_down(&self, robot: usize) -> bool {
+        matches!(self.truth(robot).posture(), Posture::Down(_))
+    }
+
+    /// Goals of the first team and of the second one.
+    #[must_use]
+    pub fn score(&self) -> [usize; 2] {
+        let Some(first) = self.worlds.first() else { return [0; 2] };
+        let goals = |event: &Event| matches!(event, Event::Goal);
+        let own_goals = |event: &Event| matches!(event, Event::OwnGoal);
+        let counts = [first.referee().count(goals), first.referee().count(own_goals)];
+        if self.entrants[0].is_second { [counts[1], counts[0]] } else { counts }
+    }
+
+    /// Executes one command of each robot for one control cycle. A robot without a command keeps its posture.
+    pub fn act(&mut self, commands: &[Command]) {
+        for (world, command) in self.worlds.iter_mut().zip(commands) {
+            world.act(command);
+        }
+        self.share_ball();
+        self.share_robots();
+    }
+
+    /// Gives all worlds the ball of the one whose robot has touched it, or else of the first one.
+    fn share_ball(&mut self) {
+        let Some(moved) = self.worlds.iter().position(KinematicWorld::touches).or(Some(0)) else { return };
+        let Some(world) = self.worlds.get(moved) else { return };
+        let (ball, side) = (world.ball(), self.entrants[moved].is_second);
+        for (index, world) in self.worlds.iter_mut().enumerate() {
+            let is_turned = self.entrants[index].is_second != side;
+            world.follow_ball(if is_turned { ball.map(|vector| -vector) } else { ball });
+        }
+    }
+
+    /// Shows each robot to all others.
+    fn share_robots(&mut self) {
+        for index in 0..self.worlds.len() {
+            let own = self.entrants[index].is_second;
+            let shown = |(other, world): (usize, &KinematicWorld)| {
+                let is_teammate = self.entrants[other].is_second == own;
+                (other != index).then(|| world.as_other(!is_teammate, is_teammate))
+            };
+            let others: Vec<Other> = self.worlds.iter().enumerate().filter_map(shown).collect();
+            self.worlds[index].set_others(&others);
+        }
+    }
+
+    /// Puts the ball at a position, m, in the frame of the first robot's team, at rest.
+    ///
+    /// # Errors
+    /// If the position is beyond the lines, or a post or a robot is there.
+    pub fn put_ball(&mut self, at: Vec2) -> Result<(), &'static str> {
+        let Some(first) = self.worlds.first_mut() else { return Ok(()) };
+        first.put_ball(at)?;
+        self.share_ball();
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::TEST_MODEL;
+    use crate::setup::Frame;
+
+    fn field(entrants: &[Entrant]) -> MatchField {
+        let setup = Setup { frame: Frame::Small, ..Setup::default() };
+        MatchField::new(TEST_MODEL, &setup, entrants).expect("there is room")
+    }
+
+    fn standing() -> Command {
+        Command::new(TEST_MODEL.stand, 1.0)
+    }
+
+    const MATES: [Entrant; 3] = [
+        Entrant { is_second: false, at: Pose2::new(-1.0, 0.0, 0.0) },
+        Entrant { is_second: false, at: Pose2::new(-2.0, 1.0, 0.5) },
+        Entrant { is_second: true, at: Pose2::new(-1.0, 0.5, 0.0) },
+    ];
+
+    #[test]
+    fn each_robot_has_the_others_in_its_own_frame() {
+        let field = field(&MATES);
+        let places = |robot: usize| field.truth(robot).others().iter().map(|other| other.position).collect::<Vec<_>>();
+        let is_near = |places: Vec<Vec2>, expected: [Vec2; 2]| {
+            places.len() == 2 && places.iter().zip(expected).all(|(place, expected)| place.distance(expected) < 0.05)
+        };
+        assert!(is_near(places(0), [Vec2::new(-2.0, 1.0), Vec2::new(1.0, -0.5)]), "{:?}", places(0));
+        assert!(is_near(places(2), [Vec2::new(1.0, 0.0), Vec2::new(2.0, -1.0)]), "{:?}", places(2));
+        assert_ne!(field.truth(0).attacks(), field.truth(2).attacks());
+    }
+
+    #[test]
+    fn ball_is_one_for_all() {
+        let mut field = field(&MATES);
+        field.put_ball(Vec2::new(0.5, 0.4)).expect("a free place");
+        field.worlds[0].follow_ball([Vec2::new(0.5, 0.4), Vec2::X]);
+        for _ in 0..100 {
+            field.act(&[standing(); 3]);
+        }
+        let balls = [0, 1, 2].map(|robot| field.truth(robot).ball());
+        assert!(balls[0].x > 1.0 && balls[0] == balls[1] && balls[2] == -balls[0], "{balls:?}");
+    }
+
+    #[test]
+    fn robots_that_overlap_are_moved_apart() {
+        let near = Entrant { at: Pose2::new(-1.1, 0.05, 0.0), ..MATES[0] };
+        let mut field = field(&[MATES[0], near]);
+        for _ in 0..50 {
+            field.act(&[standing(); 2]);
+        }
+        let apart = field.truth(0).robot().position.distance(field.truth(1).robot().position);
+        assert!(apart > 0.15, "{apart} m");
+    }
+
+    #[test]
+    fn robot_sees_one_that_comes_into_its_view() {
+        let behind = Entrant { is_second: true, at: Pose2::new(-2.5, 0.5, 0.0) };
+        let mut field = field(&[MATES[0], behind]);
+        let seen = |field: &mut MatchField| {
+            let labels = field.worlds[0].segmentation_mask();
+            labels.iter().filter(|label| matches!(label, crate::segmentation::PixelLabel::OtherRobot(_))).count()
+        };
+        for _ in 0..10 {
+            field.act(&[standing(); 2]);
+        }
+        assert!(seen(&mut field) > 0, "it is ahead");
+        field.worlds[1].put_robot(Pose2::new(2.5, 1.5, 0.0)).expect("a free place");
+        for _ in 0..10 {
+            field.act(&[standing(); 2]);
+        }
+        assert_eq!(seen(&mut field), 0, "it is behind");
+    }
+
+    #[test]
+    fn goals_count_for_the_team_that_attacks() {
+        let mut field = field(&MATES);
+        for (velocity, score) in [(Vec2::new(2.5, 0.0), [1, 0]), (Vec2::new(-2.5, 0.0), [1, 1])] {
+            field.worlds[0].follow_ball([Vec2::new(velocity.x.signum() * 2.5, 0.3), velocity]);
+            for _ in 0..400 {
+                field.act(&[standing(); 3]);
+            }
+            assert_eq!(field.score(), score);
+        }
+    }
+}
