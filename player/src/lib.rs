@@ -30,6 +30,8 @@ pub mod referee;
 pub mod robot;
 pub mod roles;
 pub mod strategy;
+#[cfg(feature = "referee")]
+pub mod team;
 
 pub use forward::{Forward, tunable};
 

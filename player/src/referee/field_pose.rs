@@ -3,9 +3,14 @@
 use bica::prelude::*;
 use bica::visual;
 use bica_motion::pose::Pose2;
+use bica_vision::localization::Estimate;
+use glam::{Mat3, Vec3};
 
 use crate::info;
 use crate::perception::{Localization, Odometry};
+
+/// Standard deviation that the odometry adds for each metre, m and rad: a share of the way.
+const WALKING_ERROR: f32 = 0.1;
 
 /// The pose on the field: the localization's while it is certain, otherwise by odometry from the last certain pose.
 #[derive(Debug)]
@@ -13,6 +18,9 @@ pub struct FieldPose {
     /// Origin of the odometry in the field frame; `None` before the first certain pose.
     origin: Option<Pose2>,
     pose: Option<Pose2>,
+    /// Last certain pose, with its covariance.
+    certain: Pose2,
+    covariance: Mat3,
 }
 
 #[component(hz = 30, budget_us = 5)]
@@ -20,18 +28,19 @@ impl FieldPose {
     /// Creates the component without a pose.
     #[must_use]
     pub const fn new() -> Self {
-        Self { origin: None, pose: None }
+        Self { origin: None, pose: None, certain: Pose2::ORIGIN, covariance: Mat3::ZERO }
     }
 
     /// Creates the component at a pose, field frame.
     #[must_use]
     pub const fn at(pose: Pose2) -> Self {
-        Self { origin: Some(pose), pose: Some(pose) }
+        Self { origin: Some(pose), pose: Some(pose), certain: pose, covariance: Mat3::ZERO }
     }
 
     fn step(&mut self, field: &Localization, odometry: &Odometry) {
-        if let Some(pose) = field.pose() {
-            self.origin = Some(pose * odometry.pose().inverse());
+        if let Some(estimate) = field.estimate().filter(Estimate::is_sure) {
+            self.origin = Some(estimate.pose * odometry.pose().inverse());
+            (self.certain, self.covariance) = (estimate.pose, estimate.covariance);
         }
         self.pose = self.origin.map(|origin| origin * odometry.pose());
     }
@@ -45,6 +54,14 @@ impl FieldPose {
     #[must_use]
     pub const fn pose(&self) -> Option<Pose2> {
         self.pose
+    }
+
+    /// Covariance of the pose, x and y, m, and heading, rad: that of the last certain pose, with what the odometry adds on the way.
+    #[must_use]
+    pub fn covariance(&self) -> Mat3 {
+        let way = self.pose.map_or(0.0, |pose| pose.position.distance(self.certain.position));
+        let variance = (WALKING_ERROR * way) * (WALKING_ERROR * way);
+        self.covariance + Mat3::from_diagonal(Vec3::splat(variance))
     }
 
     /// Pose in the field frame: x towards the attacked goal, from the centre.

@@ -123,7 +123,8 @@ impl GameController {
         self.order
     }
 
-    fn control(&self) -> Option<&Control> {
+    /// The newest packet; `None` before the first one.
+    pub(crate) fn control(&self) -> Option<&Control> {
         self.newest.as_ref().map(|newest| &newest.control)
     }
 
@@ -178,9 +179,29 @@ impl GameController {
     #[info]
     #[must_use]
     pub fn penalty(&self) -> Penalty {
-        let index = usize::from(self.me.player).wrapping_sub(1);
+        self.penalty_of(self.me.player)
+    }
+
+    /// The penalty of a player of the own team, whose numbers begin at 1.
+    #[must_use]
+    pub fn penalty_of(&self, player: u8) -> Penalty {
+        let index = usize::from(player).wrapping_sub(1);
         let player = self.teams().and_then(|[own, _]| own.players.get(index));
         player.map_or(Penalty::None, |player| player.penalty)
+    }
+
+    /// Whether the robot is the goalkeeper. A goalkeeper whose field players are all penalized plays as one of them.
+    #[info]
+    #[must_use]
+    pub fn is_goalkeeper(&self) -> bool {
+        let me = self.me.player;
+        self.teams().is_some_and(|[own, _]| own.goalkeeper == me && places::taker(own) != Some(me))
+    }
+
+    /// Number of players of a team on the field; 0 before the first packet.
+    #[must_use]
+    pub fn players_on_field(&self) -> u32 {
+        self.control().map_or(0, |control| control.players_per_team.into())
     }
 
     /// Remaining time of the half; negative in overtime.

@@ -3,16 +3,14 @@
 use bica::prelude::*;
 use bica::visual;
 use bica_motion::bounds::clamp;
-use bica_motion::pose::{Pose2, rotate, wrap};
+use bica_motion::pose::{Pose2, wrap};
 use bica_motion::walk::Velocity;
 use glam::Vec2;
-use libm::{asinf, atan2f, fabsf};
+use libm::{atan2f, fabsf};
 
-use super::FieldPose;
 use crate::info;
-use crate::input::HealthMonitor;
-use crate::motion::Body;
-use crate::perception::{BallDetector, RobotDetector};
+use crate::roles::{Ball, Health, Legs, Robots, Whereabouts, positions};
+use crate::team::TeamMates;
 
 /// How the robot walks to a pose.
 #[derive(Clone, Debug, PartialEq, Params)]
@@ -51,6 +49,12 @@ pub struct Going {
     /// Distance between the paths of the robot and the middle of other robots or the ball.
     #[param(default = 0.35, range = 0.1..=1.0, unit = "m", step = 0.05)]
     pub clearance: f32,
+    /// Distance within which an obstacle turns the way, as a multiple of `clearance`.
+    #[param(default = 2.0, range = 1.2..=5.0, step = 0.1)]
+    pub influence: f32,
+    /// Age of another player's message up to which its place is that of an obstacle.
+    #[param(default = 1.5, range = 0.1..=10.0, unit = "s", step = 0.1)]
+    pub mate_age: f32,
     /// Time for which the robot stands and looks while it does not know its pose; then it turns on the spot.
     #[param(default = 5.0, range = 0.5..=20.0, unit = "s", step = 0.5)]
     pub look_time: f32,
@@ -66,7 +70,7 @@ impl Going {
     }
 }
 
-/// Walks to a pose on the field, around other robots and the ball, and stands there.
+/// Walks to a pose on the field, around the robots that it sees or hears of and the ball, and stands there.
 #[derive(Debug)]
 pub struct GoTo {
     place: Option<Pose2>,
@@ -94,11 +98,12 @@ impl GoTo {
         &mut self,
         tuned: &Tuned<Going>,
         time: &Time,
-        field: &FieldPose,
-        robots: &RobotDetector,
-        ball: &BallDetector,
-        health: &HealthMonitor,
-        body: &mut Body,
+        field: &impl Whereabouts,
+        robots: &impl Robots,
+        mates: &TeamMates,
+        ball: &impl Ball,
+        health: &impl Health,
+        body: &mut impl Legs,
     ) {
         let seeing = health.sense_fault().is_none();
         let (Some(here), Some(place)) = (field.pose().filter(|_| seeing), self.place) else {
@@ -111,8 +116,10 @@ impl GoTo {
         let slack = if self.arrived { tuned.slack } else { 1.0 };
         self.arrived =
             way.position.length() < slack * tuned.tolerance && fabsf(way.heading) < slack * tuned.turn_tolerance;
-        let obstacles = robots.places().map(|robot| robot.position).chain(ball.position());
-        self.next = around(way.position, obstacles, tuned.clearance);
+        let heard = mates.present().filter(|mate| mate.age < tuned.mate_age);
+        let heard = heard.map(|mate| here.locate(mate.message.pose().position));
+        let obstacles = positions(robots).chain(heard).chain(ball.position());
+        self.next = tuned.around(way.position, obstacles);
         if self.arrived {
             body.stand();
         } else if way.position.length() < tuned.near_distance {
@@ -157,33 +164,42 @@ impl Going {
     }
 }
 
-/// Returns the next point on the way to `target` that passes the nearest obstacle on the way at a distance of `clearance`, on the side
-/// of the target. All in m, ground frame. An obstacle at the target does not count.
-fn around(target: Vec2, obstacles: impl Iterator<Item = Vec2>, clearance: f32) -> Vec2 {
-    let (ahead, distance) = (target.normalize_or_zero(), target.length());
-    let blocks = |at: &Vec2| {
-        let along = at.dot(ahead);
-        along > 0.0 && along < distance && fabsf(at.perp_dot(ahead)) < clearance && at.distance(target) > clearance
-    };
-    let nearest = obstacles.filter(blocks).min_by(|one, other| one.length_squared().total_cmp(&other.length_squared()));
-    nearest.map_or(target, |at| {
-        let side = 1.0_f32.copysign(at.perp_dot(target));
-        let tangent = asinf((clearance / at.length().max(clearance)).min(1.0));
-        rotate(at.normalize_or_zero(), side * tangent) * at.length()
-    })
+impl Going {
+    /// Returns the next point on the way to `target` in a potential field: the target attracts, and each obstacle that is near repels
+    /// and, while it is ahead, turns the way to the side on which the target is. All in m, ground frame. An obstacle at the target
+    /// does not count.
+    fn around(&self, target: Vec2, obstacles: impl Iterator<Item = Vec2>) -> Vec2 {
+        let ahead = target.normalize_or_zero();
+        let counts = |at: &Vec2| at.distance(target) > self.clearance;
+        let force = obstacles.filter(counts).fold(ahead, |force, at| force + self.force(ahead, at));
+        let length = target.length();
+        force.try_normalize().map_or(target, |way| way * length)
+    }
+
+    /// Force of an obstacle on a robot that walks to a direction; 1 is that of the target.
+    fn force(&self, ahead: Vec2, at: Vec2) -> Vec2 {
+        let strength = (self.influence * self.clearance - at.length()) / ((self.influence - 1.0) * self.clearance);
+        let towards = at.normalize_or_zero();
+        let side = 1.0_f32.copysign(at.perp_dot(ahead));
+        let aside = if towards.dot(ahead) > 0.0 { side * towards.perp() } else { Vec2::ZERO };
+        (aside - towards) * strength.max(0.0)
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::FieldPose;
     use super::*;
     use crate::behaviour::test_time;
-    use crate::motion::Request;
+    use crate::input::HealthMonitor;
+    use crate::motion::{Body, Request};
+    use crate::perception::{BallDetector, RobotDetector};
 
     fn request(go: &mut GoTo, here: Pose2, ball: Option<Vec2>) -> Request {
         let mut body = Body::new();
         let (field, ball) = (FieldPose::at(here), ball.map_or_else(BallDetector::new, BallDetector::remembering));
         let (tuned, robots, health) = (Tuned::new(Going::DEFAULT), RobotDetector::new(), HealthMonitor::new());
-        go.step(&tuned, &test_time(33), &field, &robots, &ball, &health, &mut body);
+        go.step(&tuned, &test_time(33), &field, &robots, &TeamMates::new(), &ball, &health, &mut body);
         body.request()
     }
 
@@ -217,7 +233,7 @@ mod tests {
         let (tuned, health) = (Tuned::new(Going::DEFAULT), HealthMonitor::new());
         let mut run = || {
             let (robots, ball) = (RobotDetector::new(), BallDetector::new());
-            go.step(&tuned, &test_time(1000), &FieldPose::new(), &robots, &ball, &health, &mut body);
+            go.step(&tuned, &test_time(1000), &FieldPose::new(), &robots, &TeamMates::new(), &ball, &health, &mut body);
             body.request()
         };
         assert!((0..5).all(|_| run() == Request::Stand));
@@ -242,7 +258,7 @@ mod tests {
         let (mut at, mut least) = (Vec2::ZERO, f32::INFINITY);
         for _ in 0..400 {
             let seen = obstacles.iter().map(|obstacle| *obstacle - at);
-            let next = around(target - at, seen, 0.35);
+            let next = Going::DEFAULT.around(target - at, seen);
             at += next.normalize_or_zero() * 0.01;
             least = obstacles.iter().fold(least, |least, obstacle| least.min(obstacle.distance(at)));
         }
@@ -253,7 +269,7 @@ mod tests {
     #[test]
     fn obstacle_at_the_target_does_not_count() {
         let (target, ball) = (Vec2::new(1.0, 0.0), Vec2::new(1.3, 0.0));
-        assert_eq!(around(target, [ball].into_iter(), 0.35), target);
-        assert_eq!(around(target, [-ball].into_iter(), 0.35), target);
+        assert_eq!(Going::DEFAULT.around(target, [ball].into_iter()), target);
+        assert_eq!(Going::DEFAULT.around(target, [-ball].into_iter()), target);
     }
 }

@@ -4,6 +4,7 @@ use bica::prelude::*;
 use bica_motion::robot::{Command, Sensors};
 
 use super::packet::{Control, Status};
+use crate::team::{Heard, TeamMessage};
 
 /// Which player of which team a robot is.
 #[message]
@@ -39,6 +40,10 @@ pub struct TeamSensors<'a> {
     pub packet: Option<Received>,
     /// Number of all other datagrams that came to the same port so far.
     pub ignored: u32,
+    /// A message of another player of the team that has arrived since the last cycle.
+    pub heard: Option<Heard>,
+    /// Number of all other datagrams that came to the port of the team so far.
+    pub refused: u32,
 }
 
 /// A status message and its receiver.
@@ -59,4 +64,6 @@ pub struct TeamCommand {
     pub body: Command,
     /// A message for the `GameController`; `None` in most cycles.
     pub answer: Option<Answer>,
+    /// A message for the other players of the team; `None` in most cycles.
+    pub message: Option<TeamMessage>,
 }

@@ -2,6 +2,7 @@
 //!
 //! [`TeamForward`] is its tree: the components of the forward, and above [`Player`](crate::behaviour::Player) the root
 //! [`TeamPlayer`], whose states are those of the rules. [`GameController`] keeps what the referee sends, and [`Reporter`] answers.
+//! Play with other robots is in [`team`](crate::team).
 //! Sockets belong to the program: it passes the datagrams through an [`Inbox`] and into [`TeamSensors`].
 
 mod field_pose;

@@ -37,7 +37,7 @@ pub(super) fn at_kick_off(control: &Control, own: usize, me: Identity) -> Pose2 
 }
 
 /// Number of the player that takes the own kick-off; `None` if all are penalized.
-fn taker(team: &Team) -> Option<u8> {
+pub(super) fn taker(team: &Team) -> Option<u8> {
     let players = || (1..).zip(&team.players).filter(|(_, player)| player.penalty == Penalty::None);
     let field = players().find(|(number, _)| *number != team.goalkeeper).or_else(|| players().next());
     field.map(|(number, _)| number)

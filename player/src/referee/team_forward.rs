@@ -16,7 +16,8 @@ use crate::perception::{
     OwnBody, RobotDetector,
 };
 use crate::robot;
-use crate::roles::{Ball, Carpet, Eye, Falls, Game, Goal, Health, Legs, Odometer, Place, Robots, Views};
+use crate::roles::{Ball, Carpet, Eye, Falls, Game, Goal, Health, Legs, Odometer, Place, Robots, Views, Whereabouts};
+use crate::team::{Positioning, Roles, TeamBall, TeamComm, TeamMates, TeamPlay};
 
 activation_tree! {
     /// The forward in a team: a referee commands it through the `GameController`.
@@ -27,16 +28,16 @@ activation_tree! {
         tunable,
         roles: {
             Ball: BallDetector, Goal: GoalDetector, Place: Localization, Odometer: Odometry,
-            Legs: Body, Falls: FallDetector, Health: HealthMonitor,
+            Legs: Body, Falls: FallDetector, Health: HealthMonitor, Whereabouts: FieldPose,
             Robots: RobotDetector, Carpet: FieldBoundary, Eye: CameraPose, Views: CameraInput, Game: GameState,
         },
         components: [
-            TeamPlayer, Player,
+            TeamPlayer, TeamPlay, Positioning, Player,
             SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, SafetyGuard, FaceBall, GoTo,
             Body, GoStraight, Turn, Walk, Kicker, Head,
             FieldPose, Localization, BallDetector, GoalDetector, FieldLines, RobotDetector, FieldBoundary, OwnBody, CameraPose,
             Odometry, FallDetector,
-            GameController, Whistle, CameraInput, Colours, RobotState, HealthMonitor, GameState, RobotProfile,
+            TeamComm, Roles, TeamBall, TeamMates, GameController, Whistle, CameraInput, Colours, RobotState, HealthMonitor, GameState, RobotProfile,
             Motors, CameraSelector, Reporter,
         ],
     }
@@ -49,20 +50,22 @@ impl Robot for TeamForward {
     type Error = FrameTooLarge;
 
     fn sense(&mut self, sensors: &TeamSensors<'_>) -> Result<(), FrameTooLarge> {
-        let TeamSensors { body, me, packet, ignored } = sensors;
+        let TeamSensors { body, me, packet, ignored, heard, refused } = sensors;
         perception::pass_cycle(self);
         robot::measure(self, body);
         let game = self.get_mut::<GameController>();
         game.receive(*me, packet.as_ref(), *ignored);
         let penalizes = game.take_button(body.buttons.chest);
         self.get_mut::<GameState>().set_button(penalizes);
+        self.get_mut::<TeamMates>().receive(heard.as_ref(), *refused);
         robot::see(self, body)
     }
 
     fn act(&mut self) -> TeamCommand {
         let chest = light(self.get::<GameController>().order());
         let body = robot::command(self, chest);
-        TeamCommand { body, answer: self.get_mut::<Reporter>().take() }
+        let (answer, message) = (self.get_mut::<Reporter>().take(), self.get_mut::<TeamComm>().take());
+        TeamCommand { body, answer, message }
     }
 }
 

@@ -5,15 +5,16 @@ use bica_motion::pose::Pose2;
 
 use super::{FieldPose, GameController, GoTo, Order, Reporter};
 use crate::FIELD;
-use crate::behaviour::{LookAround, Player, SafetyGuard};
+use crate::behaviour::{LookAround, SafetyGuard};
 use crate::input::{HealthMonitor, RobotState};
 use crate::motion::{Body, Head};
 use crate::perception::FallDetector;
+use crate::team::{TeamComm, TeamPlay};
 
 /// Distance from the lines within which a player that is let in again begins to play, m.
 const INSIDE: f32 = 0.4;
 
-/// Follows the referee: stands, walks to its place, or plays as the forward does.
+/// Follows the referee: stands, walks to its place, or plays its part in the team.
 ///
 /// After a fall or a fault, the safety guard controls the body in all states in which the robot may move. A penalized robot keeps its
 /// posture, since people may carry it.
@@ -30,14 +31,21 @@ impl TeamPlayer {
 
     /// Before a half, in a time-out, and before the first packet: stands, with the head ahead.
     #[state(initial)]
-    fn initial(&mut self, _report: &Reporter, body: &mut Body, head: &mut Head) {
+    fn initial(&mut self, _report: &Reporter, _comm: &TeamComm, body: &mut Body, head: &mut Head) {
         body.stand();
         head.look_at(0.0, 0.0);
     }
 
     /// Walks to its place, and looks around.
     #[state]
-    fn ready(&mut self, _report: &Reporter, game: &GameController, go: &mut GoTo, _look: &mut LookAround) {
+    fn ready(
+        &mut self,
+        _report: &Reporter,
+        _comm: &TeamComm,
+        game: &GameController,
+        go: &mut GoTo,
+        _look: &mut LookAround,
+    ) {
         if let Some(place) = game.place() {
             go.to(place);
         }
@@ -45,29 +53,36 @@ impl TeamPlayer {
 
     /// Stands and looks around. The game may have begun, but the robot moves only after the whistle or when playing is shown.
     #[state]
-    fn set(&mut self, _report: &Reporter, body: &mut Body, _look: &mut LookAround) {
+    fn set(&mut self, _report: &Reporter, _comm: &TeamComm, body: &mut Body, _look: &mut LookAround) {
         body.stand();
     }
 
-    /// Plays.
+    /// Plays its part in the team.
     #[state]
-    fn playing(&mut self, _report: &Reporter, _player: &mut Player) {}
+    fn playing(&mut self, _report: &Reporter, _comm: &TeamComm, _play: &mut TeamPlay) {}
 
     /// Stands and looks around until the other team's kick-off is over.
     #[state]
-    fn wait(&mut self, _report: &Reporter, body: &mut Body, _look: &mut LookAround) {
+    fn wait(&mut self, _report: &Reporter, _comm: &TeamComm, body: &mut Body, _look: &mut LookAround) {
         body.stand();
     }
 
     /// The game is stopped: stands.
     #[state]
-    fn stopped(&mut self, _report: &Reporter, body: &mut Body, _head: &mut Head) {
+    fn stopped(&mut self, _report: &Reporter, _comm: &TeamComm, body: &mut Body, _head: &mut Head) {
         body.stand();
     }
 
     /// Penalized, by the referee, the chest button or an operator: stands, with the head ahead.
     #[state]
-    fn penalized(&mut self, _report: &Reporter, body: &mut Body, head: &mut Head, field: &mut FieldPose) {
+    fn penalized(
+        &mut self,
+        _report: &Reporter,
+        _comm: &TeamComm,
+        body: &mut Body,
+        head: &mut Head,
+        field: &mut FieldPose,
+    ) {
         body.stand();
         head.look_at(0.0, 0.0);
         field.forget();
@@ -75,7 +90,14 @@ impl TeamPlayer {
 
     /// After a penalty: finds its pose at the side line and walks onto the field.
     #[state]
-    fn enter(&mut self, _report: &Reporter, field: &FieldPose, go: &mut GoTo, _look: &mut LookAround) {
+    fn enter(
+        &mut self,
+        _report: &Reporter,
+        _comm: &TeamComm,
+        field: &FieldPose,
+        go: &mut GoTo,
+        _look: &mut LookAround,
+    ) {
         if let Some(pose) = field.pose() {
             go.to(inside(pose));
         }
@@ -83,14 +105,14 @@ impl TeamPlayer {
 
     /// After a half: stands, with the head ahead.
     #[state]
-    fn finished(&mut self, _report: &Reporter, body: &mut Body, head: &mut Head) {
+    fn finished(&mut self, _report: &Reporter, _comm: &TeamComm, body: &mut Body, head: &mut Head) {
         body.stand();
         head.look_at(0.0, 0.0);
     }
 
     /// After a fall or a fault: the safety guard controls the body.
     #[state]
-    fn fallen(&mut self, _report: &Reporter, _guard: &mut SafetyGuard) {}
+    fn fallen(&mut self, _report: &Reporter, _comm: &TeamComm, _guard: &mut SafetyGuard) {}
 
     /// The robot falls or lies, and may move.
     #[transition(ready | playing | wait | enter -> fallen)]

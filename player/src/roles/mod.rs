@@ -14,6 +14,8 @@ use bica_motion::side::Side;
 use bica_motion::walk::Velocity;
 use bica_vision::memory::PositionEstimate;
 use bica_vision::projection::Camera;
+#[cfg(feature = "referee")]
+use glam::Mat3;
 use glam::Vec2;
 
 use crate::perception::Bearing;
@@ -126,6 +128,17 @@ pub trait Views {
 pub trait Game {
     /// Whether the robot may play.
     fn playing(&self) -> bool;
+}
+
+/// The place of the robot on the field, also between sightings of marks.
+#[cfg(feature = "referee")]
+#[role]
+pub trait Whereabouts {
+    /// Pose, m and rad, in the frame of the field; `None` before the robot has localized itself.
+    fn pose(&self) -> Option<Pose2>;
+
+    /// Covariance of the pose: x and y, m, and heading, rad.
+    fn covariance(&self) -> Mat3;
 }
 
 /// The way that the robot has walked.

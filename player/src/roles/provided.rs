@@ -9,14 +9,20 @@ use bica_motion::side::Side;
 use bica_motion::walk::Velocity;
 use bica_vision::memory::PositionEstimate;
 use bica_vision::projection::Camera;
+#[cfg(feature = "referee")]
+use glam::Mat3;
 use glam::Vec2;
 
+#[cfg(feature = "referee")]
+use super::Whereabouts;
 use super::{Ball, Carpet, Eye, Falls, Game, Goal, Health, Legs, Odometer, Place, Robots, Views};
 use crate::input::{CameraInput, GameState, HealthMonitor};
 use crate::motion::Body;
 use crate::perception::{
     BallDetector, Bearing, CameraPose, FallDetector, FieldBoundary, GoalDetector, Localization, Odometry, RobotDetector,
 };
+#[cfg(feature = "referee")]
+use crate::referee::FieldPose;
 
 /// Implements a role by the component's own functions of the same names.
 macro_rules! provide {
@@ -92,6 +98,12 @@ impl Eye for CameraPose {
         Self::camera(self)
     }
 }
+
+#[cfg(feature = "referee")]
+provide!(Whereabouts by FieldPose {
+    pose -> Option<Pose2>;
+    covariance -> Mat3;
+});
 
 provide!(Odometer by Odometry {
     pose -> Pose2;

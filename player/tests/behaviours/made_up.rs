@@ -11,11 +11,15 @@ use bica_motion::walk::Velocity;
 use bica_player::MODEL;
 use bica_player::motion::Request;
 use bica_player::perception::Bearing;
+#[cfg(feature = "referee")]
+use bica_player::roles::Whereabouts;
 use bica_player::roles::{Ball, Carpet, Eye, Falls, Goal, Health, Legs, Odometer, Place, Robots};
 use bica_vision::memory::PositionEstimate;
 use bica_vision::projection::Camera;
 use bica_vision::uncertainty;
 use glam::Vec2;
+#[cfg(feature = "referee")]
+use glam::{Mat3, Vec3};
 
 /// All that the behaviours see and measure.
 #[derive(Debug)]
@@ -154,6 +158,17 @@ impl Carpet for Scene {
 impl Eye for Scene {
     fn camera(&self) -> Option<&Camera> {
         None
+    }
+}
+
+#[cfg(feature = "referee")]
+impl Whereabouts for Scene {
+    fn pose(&self) -> Option<Pose2> {
+        self.place
+    }
+
+    fn covariance(&self) -> Mat3 {
+        Mat3::from_diagonal(Vec3::new(0.01, 0.01, 0.005))
     }
 }
 

@@ -8,6 +8,8 @@ mod go_round;
 mod made_up;
 mod safety_guard;
 mod search_ball;
+#[cfg(feature = "referee")]
+mod team;
 
 use bica::prelude::*;
 use bica::runner::harness::Harness;

@@ -10,6 +10,7 @@ mod penalty;
 mod status;
 mod values;
 
+pub(crate) use bytes::{Reader, Writer};
 pub use control::{CONTROL_BYTES, Control, PLAYERS, PlayerInfo, Team, UncodedPenalty};
 pub use mismatch::{Ignored, Mismatch};
 pub use penalty::Penalty;
