@@ -83,7 +83,7 @@ impl World<TeamForward> for Refereed {
 
     fn sensors(&mut self) -> TeamSensors<'_> {
         let (packet, ignored) = (self.packet, self.inbox.ignored().total());
-        TeamSensors { body: SimulatedWorld::sensors(&mut self.world), me: ME, packet, ignored }
+        TeamSensors { body: SimulatedWorld::sensors(&mut self.world), me: ME, packet, ignored, heard: None, refused: 0 }
     }
 
     fn act(&mut self, command: &TeamCommand) {

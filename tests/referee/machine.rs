@@ -67,7 +67,7 @@ fn sense(robot: &mut TeamForward, roll: f32, feet: [f32; 2], chest: bool) {
         buttons: Buttons { chest, ..Buttons::default() },
         image: None,
     };
-    robot.sense(&TeamSensors { body, me: ME, packet: None, ignored: 0 }).expect("no image");
+    robot.sense(&TeamSensors { body, me: ME, packet: None, ignored: 0, heard: None, refused: 0 }).expect("no image");
 }
 
 /// Robot that receives packets with ascending numbers.

@@ -2,4 +2,5 @@
 
 mod half;
 mod machine;
+mod team;
 mod vectors;

@@ -1,6 +1,7 @@
 //! The command line.
 
 use std::ffi::OsStr;
+use std::net::Ipv4Addr;
 use std::path::PathBuf;
 
 use bica_app::{RecordArgs, ServeArgs, TuningArgs, seconds};
@@ -22,6 +23,8 @@ use crate::referee::RefereeCommand;
 pub(crate) const CONTROL_PORT: u16 = 3838;
 /// Port of a `GameController` for status messages.
 pub(crate) const RETURN_PORT: u16 = 3939;
+/// UDP port of the messages of the team with number 0, by the rules.
+const TEAM_PORTS: u16 = 10_000;
 /// Value of `--referee` without an address.
 pub(crate) const ANYBODY: &str = "any";
 
@@ -95,7 +98,8 @@ pub(crate) enum Command {
 pub(crate) struct Play {
     /// World of the game: `built-in` (kinematic), `mujoco` (rigid-body dynamics; needs the feature `mujoco`), `firmware`
     /// (the built-in world, with the forward on an emulated microcontroller), or `league` (the simulation league's server, which
-    /// `cargo xtask league` installs; needs `--robot t1` or `--robot k1`), or `lola` (a real NAO V6 through its socket, `lola:SOCKET` or
+    /// `cargo xtask league` installs; needs `--robot t1` or `--robot k1`), `team` (the built-in world with the robots of two teams in
+    /// real time; needs `--teams` and the feature `referee`), or `lola` (a real NAO V6 through its socket, `lola:SOCKET` or
     /// `/tmp/robocup`; needs the feature `lola`), or `booster` (a real T1 or K1 through DDS; needs the feature `booster` and `--robot`)
     #[arg(long, value_name = "WORLD", default_value = "built-in", value_parser = WorldParser)]
     pub(crate) world: WorldArg,
@@ -197,17 +201,37 @@ pub(crate) struct LeagueArgs {
 pub(crate) struct RefereeArgs {
     /// Follow a `GameController`, in real time until the end is requested; with an address, only the one there. Needs --team, and the
     /// feature `referee`
-    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, require_equals = true, default_missing_value = ANYBODY)]
+    #[arg(
+        long, value_name = "ADDRESS", num_args = 0..=1, require_equals = true, default_missing_value = ANYBODY, group = "commanded"
+    )]
     pub(crate) referee: Option<String>,
     /// With --referee, number of the player, 1 to 20
     #[arg(long, value_name = "N", default_value_t = 1, requires = "referee")]
     pub(crate) player: u32,
-    /// With --referee, UDP port of the control packets
-    #[arg(long, value_name = "PORT", default_value_t = CONTROL_PORT, requires = "referee")]
+    /// With --referee or --teams, UDP port of the control packets
+    #[arg(long, value_name = "PORT", default_value_t = CONTROL_PORT, requires = "commanded")]
     pub(crate) control_port: u16,
-    /// With --referee, UDP port of the `GameController` for status messages
-    #[arg(long, value_name = "PORT", default_value_t = RETURN_PORT, requires = "referee")]
+    /// With --referee or --teams, UDP port of the `GameController` for status messages
+    #[arg(long, value_name = "PORT", default_value_t = RETURN_PORT, requires = "commanded")]
     pub(crate) return_port: u16,
+    /// With --referee or --teams, UDP port of the messages of the team with number 0; the other teams have those that follow
+    #[arg(long, value_name = "PORT", default_value_t = TEAM_PORTS, requires = "commanded")]
+    pub(crate) team_ports: u16,
+    /// With --referee or --teams, IPv4 address to which messages to the team are sent
+    #[arg(long, value_name = "ADDRESS", default_value = "255.255.255.255", requires = "commanded")]
+    pub(crate) broadcast: Ipv4Addr,
+    /// With --referee or --teams, use no network but that of the rules: no link and no ROS
+    #[arg(long = "match", requires = "commanded")]
+    pub(crate) is_match: bool,
+    /// With `--world team`, numbers of the two teams of a match under a `GameController`. Needs the feature `referee`
+    #[arg(long, value_name = "TEAM,TEAM", value_parser = teams, group = "commanded")]
+    pub(crate) teams: Option<[u8; 2]>,
+    /// With --teams, number of players of each team
+    #[arg(long, value_name = "N", default_value_t = 3, requires = "teams", value_parser = clap::value_parser!(u8).range(1..=5))]
+    pub(crate) players: u8,
+    /// With --teams, Unix socket to which the world writes the true state, 20 lines of JSON a second
+    #[arg(long, value_name = "PATH", requires = "teams")]
+    pub(crate) truth: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -216,8 +240,18 @@ pub(crate) enum World {
     Mujoco,
     Firmware,
     League,
+    Team,
     Lola,
     Booster,
+}
+
+/// Parses the numbers of two teams.
+pub(crate) fn teams(text: &str) -> Result<[u8; 2], String> {
+    let numbers = text.split_once(',').map(|(one, other)| [one, other].map(|team| team.trim().parse().ok()));
+    match numbers {
+        Some([Some(one), Some(other)]) if one != other && one < u8::MAX && other < u8::MAX => Ok([one, other]),
+        _ => Err("give two different numbers from 0 to 254, as 5,23".to_owned()),
+    }
 }
 
 /// World with the socket of a real robot.

@@ -22,8 +22,16 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         return crate::referee::run(args, sender);
     }
     #[cfg(not(feature = "referee"))]
-    if args.referee.referee.is_some() {
+    if args.referee.referee.is_some() || args.world.kind == World::Team {
         return Err(built_without("referee", "the player that a GameController commands"));
+    }
+    #[cfg(feature = "referee")]
+    if args.world.kind == World::Team {
+        return crate::referee::run_match(args);
+    }
+    if args.referee.teams.is_some() {
+        let what = "--teams names the teams of a match, and this game is played by one robot";
+        return Err(Failure::new(what, "give --world team, too"));
     }
     if args.world.kind == World::Lola {
         #[cfg(all(feature = "lola", unix))]
@@ -151,11 +159,13 @@ fn settings(args: &Play, layers: &Layers) -> Result<&'static [Setting], Failure>
     Ok(settings)
 }
 
-/// Returns the requested world; firmware, league and real robots use the built-in one.
+/// Returns the requested world: the built-in one, unless it is MuJoCo.
 #[cfg_attr(feature = "mujoco", expect(clippy::unnecessary_wraps, reason = "without MuJoCo it is refused"))]
 fn world(world: World) -> Result<WorldKind, Failure> {
     match world {
-        World::BuiltIn | World::Booster | World::Firmware | World::League | World::Lola => Ok(WorldKind::BuiltIn),
+        World::BuiltIn | World::Firmware | World::League | World::Team | World::Lola | World::Booster => {
+            Ok(WorldKind::BuiltIn)
+        }
         #[cfg(feature = "mujoco")]
         World::Mujoco => Ok(WorldKind::Mujoco),
         #[cfg(not(feature = "mujoco"))]

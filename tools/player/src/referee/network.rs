@@ -8,8 +8,10 @@ use bica_app::Failure;
 use bica_player::referee::{Answer, Identity, Inbox, Received};
 use socket2::{Domain, Socket, Type};
 
+use super::team_network::TeamNetwork;
+
 /// Largest number of packets that wait for a cycle; beyond it the oldest packets are dropped.
-const WAITING: usize = 16;
+pub(super) const WAITING: usize = 16;
 /// Largest number of datagrams that a cycle reads, so that a flood does not stop the robot.
 const DATAGRAMS: usize = 256;
 /// Size of the receive buffer, bytes: more than any valid datagram has.
@@ -49,9 +51,25 @@ pub(super) fn drain(socket: &UdpSocket, mut take: impl FnMut(&[u8], Ipv4Addr)) {
     }
 }
 
-/// Network of a player: receives control packets and sends status messages.
+/// Ports and addresses of a player.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ports {
+    /// The only accepted sender of control packets; `None` accepts any.
+    pub(super) only: Option<Ipv4Addr>,
+    /// Port of control packets.
+    pub(super) control: u16,
+    /// Port of the `GameController` for status messages.
+    pub(super) answers: u16,
+    /// Port of the messages of the own team.
+    pub(super) team: u16,
+    /// Address to which messages to the team are sent.
+    pub(super) broadcast: Ipv4Addr,
+}
+
+/// Network of a player: receives control packets, sends status messages, and exchanges messages with its team.
 pub(super) struct PlayerNetwork {
     socket: UdpSocket,
+    team: TeamNetwork,
     me: Identity,
     inbox: Inbox,
     /// The only accepted sender; `None` accepts any.
@@ -62,13 +80,24 @@ pub(super) struct PlayerNetwork {
 }
 
 impl PlayerNetwork {
-    /// Opens the socket of a player.
+    /// Opens the sockets of a player.
     ///
     /// # Errors
-    /// If the port cannot be opened.
-    pub(super) fn open(me: Identity, only: Option<Ipv4Addr>, control: u16, return_port: u16) -> Result<Self, Failure> {
-        let socket = open(control)?;
-        Ok(Self { socket, me, inbox: Inbox::new(me.team), only, return_port, waiting: VecDeque::new(), sent: 0 })
+    /// If a port cannot be opened.
+    pub(super) fn open(me: Identity, ports: &Ports) -> Result<Self, Failure> {
+        let &Ports { only, answers, .. } = ports;
+        let (socket, team, inbox) = (open(ports.control)?, TeamNetwork::open(me, ports)?, Inbox::new(me.team));
+        Ok(Self { socket, team, me, inbox, only, return_port: answers, waiting: VecDeque::new(), sent: 0 })
+    }
+
+    /// Messages of the team.
+    pub(super) const fn team(&mut self) -> &mut TeamNetwork {
+        &mut self.team
+    }
+
+    /// Number of messages to the team that were sent, and of datagrams on its port that were refused.
+    pub(super) fn team_counts(&self) -> (u64, u32) {
+        (self.team.sent(), self.team.refused())
     }
 
     /// Team and number of the player.

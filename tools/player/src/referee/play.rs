@@ -11,10 +11,10 @@ use bica_player::referee::packet::PLAYERS;
 use bica_player::referee::{Identity, TeamForward};
 use bica_recording::{ReplayOptions, ReplayReport};
 
-use super::network::PlayerNetwork;
+use super::network::{PlayerNetwork, Ports};
 use super::world::RefereedWorld;
 use crate::attacked::{self, ATTACKS, SKY_BLUE, YELLOW};
-use crate::cli::{ANYBODY, Play, World};
+use crate::cli::{ANYBODY, Play, RefereeArgs, World};
 use crate::colour_profile::ColourProfile;
 use crate::game::{Rules, WorldKind, open_world};
 
@@ -24,7 +24,8 @@ const WORLD: &str = "referee";
 /// Plays in the built-in world under the commands of a `GameController`.
 pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
     refuse(args)?;
-    let (me, only) = (identity(args)?, sender(referee)?);
+    let me = identity(args)?;
+    let ports = ports(args, sender(referee)?, me)?;
     let rules = Rules {
         world: WorldKind::BuiltIn,
         seed: args.seed,
@@ -37,15 +38,14 @@ pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
         options: args.option.clone().leak(),
     };
     let attacks = open_world(&rules)?.referee().attacks();
-    let (control, answers) = (args.referee.control_port, args.referee.return_port);
-    // Opens the port once, so that a port in use is reported before the game begins.
-    drop(PlayerNetwork::open(me, only, control, answers)?);
+    // Opens the ports once, so that a port in use is reported before the game begins.
+    drop(PlayerNetwork::open(me, &ports)?);
     let open = move |options: &WorldOptions| {
         options.value(ATTACKS, String::new())?;
         for (name, _) in rules.options.iter().filter_map(|option| option.split_once('=')) {
             options.value(name.trim(), String::new())?;
         }
-        let network = PlayerNetwork::open(me, only, control, answers)?;
+        let network = PlayerNetwork::open(me, &ports)?;
         Ok(RefereedWorld::new(Box::new(open_world(&rules)?), network))
     };
     let colour = if attacks == GoalColour::Yellow { YELLOW } else { SKY_BLUE };
@@ -69,8 +69,21 @@ pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport,
     attacked::replay(options, WORLD, maker)
 }
 
+/// Refuses, in a match, what uses another network than that of the rules.
+pub(super) fn refuse_other_network(args: &Play) -> Result<(), Failure> {
+    let is_served = args.link.address().is_some();
+    #[cfg(feature = "ros")]
+    let is_served = is_served || args.link.ros;
+    if args.referee.is_match && is_served {
+        let what = "--match forbids all other network, and --serve and --ros open one";
+        return Err(Failure::new(what, "leave out --match, or --serve and --ros"));
+    }
+    Ok(())
+}
+
 /// Refuses options that a game with a referee does not support.
 fn refuse(args: &Play) -> Result<(), Failure> {
+    refuse_other_network(args)?;
     if args.world.kind != World::BuiltIn {
         let what = "--referee commands a robot in the built-in world, and this game is played in another one";
         return Err(Failure::new(what, "leave out --world or --referee"));
@@ -99,6 +112,16 @@ fn identity(args: &Play) -> Result<Identity, Failure> {
     })
 }
 
+/// Returns the ports and addresses of the player.
+pub(super) fn ports(args: &Play, only: Option<Ipv4Addr>, me: Identity) -> Result<Ports, Failure> {
+    let RefereeArgs { control_port: control, return_port: answers, team_ports, broadcast, .. } = args.referee;
+    let team = team_ports.checked_add(me.team.into()).ok_or_else(|| {
+        let what = format!("the port of team {} is {team_ports} + {}, above 65535", me.team, me.team);
+        Failure::new(what, "give a smaller --team-ports")
+    })?;
+    Ok(Ports { only, control, answers, team, broadcast })
+}
+
 /// Parses the only sender that `--referee=ADDRESS` accepts; `None` accepts any.
 fn sender(text: &str) -> Result<Option<Ipv4Addr>, Failure> {
     if text == ANYBODY {
@@ -117,7 +140,7 @@ fn maker(attacks: GoalColour) -> fn() -> Box<TeamForward> {
     }
 }
 
-fn forward(attacks: GoalColour) -> Box<TeamForward> {
+pub(super) fn forward(attacks: GoalColour) -> Box<TeamForward> {
     let mut forward = Box::new(TeamForward::new());
     forward.get_mut::<GoalDetector>().attack(attacks);
     forward

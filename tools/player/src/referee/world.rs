@@ -30,15 +30,20 @@ impl World<TeamForward> for RefereedWorld {
     }
 
     fn sensors(&mut self) -> TeamSensors<'_> {
-        let packet = self.network.receive(self.world.now().as_micros());
-        let (me, ignored) = (self.network.me(), self.network.ignored());
-        TeamSensors { body: self.world.sensors(), me, packet, ignored }
+        let now = self.world.now().as_micros();
+        let packet = self.network.receive(now);
+        let heard = self.network.team().receive(now);
+        let (me, ignored, refused) = (self.network.me(), self.network.ignored(), self.network.team().refused());
+        TeamSensors { body: self.world.sensors(), me, packet, ignored, heard, refused }
     }
 
     fn act(&mut self, command: &TeamCommand) {
         self.world.act(&command.body);
         if let Some(answer) = &command.answer {
             self.network.send(answer);
+        }
+        if let Some(message) = &command.message {
+            self.network.team().send(message);
         }
     }
 
@@ -53,7 +58,9 @@ impl World<TeamForward> for RefereedWorld {
     fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
         self.world.report(out)?;
         let (sent, ignored) = (self.network.sent(), self.network.ignored());
-        writeln!(out, "status messages sent: {sent}; other datagrams ignored: {ignored}")
+        writeln!(out, "status messages sent: {sent}; other datagrams ignored: {ignored}")?;
+        let (sent, refused) = self.network.team_counts();
+        writeln!(out, "team messages sent: {sent}; other datagrams refused: {refused}")
     }
 
     fn scenery(&self, scene: &mut dyn Scene) {

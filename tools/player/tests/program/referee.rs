@@ -1,11 +1,13 @@
 //! Player under the commands of a `GameController`, over UDP on this computer.
 
 use std::io::{BufRead, BufReader, Read};
-use std::net::{SocketAddr, UdpSocket};
+use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
 use std::process::{Child, ChildStdout, Stdio};
 use std::time::{Duration, Instant};
 
+use bica_player::referee::Identity;
 use bica_player::referee::packet::{CONTROL_BYTES, Control, PlayState, Status, Team, Version};
+use bica_player::team::{Role, TeamMessage};
 
 use crate::process::{Folder, player, refused, run};
 
@@ -68,7 +70,7 @@ impl Played {
     fn start(controller: &Controller, more: &[&str]) -> Self {
         let (port, answers) = (controller.to.port().to_string(), controller.return_port());
         let play = ["play", "--referee", "--team", "5", "--player", "3", "--size", "160x120"];
-        let ports = ["--control-port", &port, "--return-port", &answers];
+        let ports = ["--control-port", &port, "--return-port", &answers, "--broadcast", "127.255.255.255"];
         let mut command = player(&[&play[..], &ports, more].concat());
         let mut program = command.stdout(Stdio::piped()).spawn().expect("the program");
         let lines = BufReader::new(program.stdout.take().expect("a pipe"));
@@ -109,26 +111,46 @@ fn player_answers_packets_of_both_versions() {
     }
 }
 
+/// Returns the base of free team ports, and a function that sends the message of another player, the striker, with a number.
+fn mate() -> (String, impl Fn(u32) + Send + 'static) {
+    const TEAM: u8 = 5;
+    let port = free_port();
+    let socket = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0)).expect("a free port");
+    let send = move |number: u32| {
+        let from = Identity { team: TEAM, player: 2 };
+        let (role, time_ms) = (Role::Striker, 1 + number);
+        let message = TeamMessage { from, time_ms, role, claim: 9, interval: 5.0, ..TeamMessage::default() };
+        // Before the player listens, nobody receives it.
+        let _ = socket.send_to(&message.encode(), (Ipv4Addr::LOCALHOST, port));
+    };
+    ((port - u16::from(TEAM)).to_string(), send)
+}
+
 #[test]
 fn packets_change_the_state_and_replay_bit_for_bit() {
     let folder = Folder::new("referee");
     let file = folder.file("game.mcap");
     let mut controller = Controller::new();
-    let mut played = Played::start(&controller, &["--record", &file, "--seconds", "6"]);
+    let (base, mate) = mate();
+    let more = ["--record", &file, "--seconds", "6", "--team-ports", &base];
+    let mut played = Played::start(&controller, &more);
     let (to, socket) = (controller.to, controller.socket.try_clone().expect("a socket"));
     let sender = std::thread::spawn(move || {
         let mut sending = Controller { socket, to, number: 0 };
         for state in [PlayState::Initial, PlayState::Ready, PlayState::Set, PlayState::Playing].into_iter().cycle() {
             sending.send(Version::V20, state);
+            mate(u32::from(sending.number));
             std::thread::sleep(Duration::from_millis(500));
             if sending.number > 20 {
                 break;
             }
         }
     });
-    for state in ["TeamPlayer:ready", "TeamPlayer:set", "TeamPlayer:playing", "status messages sent"] {
+    let states = ["TeamPlayer:ready", "TeamPlayer:set", "TeamPlayer:playing", "status messages sent"];
+    for state in states {
         played.prints(state);
     }
+    played.prints("team messages sent: 0; other datagrams refused");
     assert!(played.program.wait().expect("it ends").success());
     sender.join().expect("the sender");
     assert!(controller.receive().is_some());
@@ -162,6 +184,43 @@ fn small_controller_commands_a_player() {
     referee.wait().expect("it ends");
 }
 
+#[cfg(unix)]
+#[test]
+fn match_has_robots_of_both_teams_and_writes_the_truth() {
+    let folder = Folder::new("match");
+    let path = folder.file("truth.sock");
+    let listener = std::os::unix::net::UnixListener::bind(&path).expect("a socket");
+    let mut controller = Controller::new();
+    let (port, answers) = (controller.to.port().to_string(), controller.return_port());
+    let play = ["play", "--world", "team", "--teams", "5,23", "--players", "2", "--size", "160x120", "--seconds", "4"];
+    let ports = ["--control-port", &port, "--return-port", &answers, "--broadcast", "127.255.255.255", "--match"];
+    let mut game = player(&[&play[..], &ports, &["--truth", &path]].concat());
+    let mut game = game.stdout(Stdio::piped()).spawn().expect("the program");
+    let (truth, _) = listener.accept().expect("the world connects");
+    controller.to = SocketAddr::from(([127, 255, 255, 255], controller.to.port()));
+    controller.socket.set_broadcast(true).expect("a broadcast");
+    let (start, mut heard) = (Instant::now(), std::collections::BTreeSet::new());
+    while heard.len() < 4 {
+        assert!(start.elapsed() < PATIENCE, "{heard:?}");
+        controller.send(Version::V20, PlayState::Initial);
+        while let Some(status) = controller.receive() {
+            heard.insert((status.team, status.player));
+        }
+    }
+    assert_eq!(heard.into_iter().collect::<Vec<_>>(), [(5, 1), (5, 2), (23, 1), (23, 2)]);
+    let lines: Vec<serde_json::Value> = BufReader::new(truth)
+        .lines()
+        .map_while(Result::ok)
+        .map(|line| serde_json::from_str(&line).expect("JSON"))
+        .collect();
+    assert!(game.wait().expect("it ends").success());
+    assert!(lines.len() >= 40, "{} lines in 4 s", lines.len());
+    let robots = lines[lines.len() - 1]["robots"].as_array().expect("robots");
+    let names: Vec<_> = robots.iter().map(|robot| (robot["team"].as_u64(), robot["player"].as_u64())).collect();
+    assert_eq!(names, [(Some(5), Some(1)), (Some(5), Some(2)), (Some(23), Some(1)), (Some(23), Some(2))]);
+    assert!(robots.iter().all(|robot| robot["x"].as_f64().is_some_and(|x| x < -1.0) && robot["fallen"] == false));
+}
+
 #[test]
 fn wrong_teams_players_and_scripts_are_refused() {
     let folder = Folder::new("script");
@@ -178,6 +237,9 @@ fn wrong_teams_players_and_scripts_are_refused() {
         (play(&["--team", "5", "--world", "firmware"]), &["--world"]),
         (vec!["play", "--referee=nowhere", "--team", "5"], &["nowhere", "IPv4"]),
         (vec!["play", "--player", "2"], &["--referee"]),
+        (vec!["play", "--world", "team"], &["--teams 5,23"]),
+        (vec!["play", "--teams", "5,23"], &["--world team"]),
+        (play(&["--team", "5", "--match", "--serve", "127.0.0.1:0"]), &["--match", "--serve"]),
         (vec!["referee", "--teams", "5,5"], &["two different numbers"]),
         (vec!["referee", "--players", "21"], &["21"]),
         (vec!["referee", "--script", &script], &["half.txt:2", "no command `begin`"]),

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use bica_app::seconds;
 use clap::Args;
 
-use crate::cli::{CONTROL_PORT, RETURN_PORT};
+use crate::cli::{CONTROL_PORT, RETURN_PORT, teams};
 
 const AFTER: &str = "\
 Commands, one a line, from the terminal or --script:
@@ -54,14 +54,6 @@ pub(crate) struct RefereeCommand {
     /// End after this time, in seconds
     #[arg(long, value_name = "S", value_parser = seconds)]
     pub(crate) seconds: Option<f64>,
-}
-
-fn teams(text: &str) -> Result<[u8; 2], String> {
-    let numbers = text.split_once(',').map(|(one, other)| [one, other].map(|team| team.trim().parse().ok()));
-    match numbers {
-        Some([Some(one), Some(other)]) if one != other && one < u8::MAX && other < u8::MAX => Ok([one, other]),
-        _ => Err("give two different numbers from 0 to 254, as 5,23".to_owned()),
-    }
 }
 
 fn delay(text: &str) -> Result<f64, String> {
