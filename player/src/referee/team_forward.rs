@@ -37,7 +37,8 @@ activation_tree! {
             Body, GoStraight, Turn, Walk, Kicker, Head,
             FieldPose, Localization, BallDetector, GoalDetector, FieldLines, RobotDetector, FieldBoundary, OwnBody, CameraPose,
             Odometry, FallDetector,
-            TeamComm, Roles, TeamBall, TeamMates, GameController, Whistle, CameraInput, Colours, RobotState, HealthMonitor, GameState, RobotProfile,
+            TeamComm, Roles, TeamBall, TeamMates, GameController, Whistle,
+            CameraInput, Colours, RobotState, HealthMonitor, GameState, RobotProfile,
             Motors, CameraSelector, Reporter,
         ],
     }

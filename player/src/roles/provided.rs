@@ -44,6 +44,7 @@ macro_rules! provide {
     };
 }
 
+#[cfg(feature = "league")]
 pub(crate) use provide;
 
 provide!(Ball by BallDetector {
