@@ -105,7 +105,9 @@ impl Match {
         commands.resize(self.field.robots(), Command::new(NAO.stand, 1.0));
         self.field.act(&commands);
         self.cycle += 1;
-        sent.iter().for_each(|message| self.send(message));
+        for message in &sent {
+            self.send(message);
+        }
     }
 
     /// Passes a message to the other players; some do not receive it.
