@@ -64,7 +64,7 @@ macro_rules! forward {
 
             fn act(&mut self) -> Command {
                 let chest = if self.get::<GameState>().playing() { GREEN } else { RED };
-                robot::command(self, chest)
+                Command { camera: self.get::<CameraSelector>().selected(), ..robot::command(self, chest) }
             }
         }
     };

@@ -1,10 +1,10 @@
 //! The one place that passes sensor values to a tree's components, and takes its command.
 
 use bica::{Has, Tree};
-use bica_motion::robot::{Command, Light, Lights, Sensors};
+use bica_motion::robot::{CameraId, Command, Light, Lights, Sensors};
 
 use crate::input::{CameraInput, FrameTooLarge, HealthMonitor, RobotState};
-use crate::output::{CameraSelector, Motors};
+use crate::output::Motors;
 
 /// Passes what the body measures, without its image and its buttons.
 pub fn measure<T>(tree: &mut T, sensors: &Sensors<'_>)
@@ -29,10 +29,10 @@ where
     tree.get_mut::<CameraInput>().receive(image, &angles)
 }
 
-/// Returns the command of the cycle, with a colour of the chest light.
+/// Returns the command of the cycle, with a colour of the chest light and the top camera.
 pub fn command<T>(tree: &mut T, chest: Light) -> Command
 where
-    T: Tree + Has<Motors> + Has<HealthMonitor> + Has<CameraSelector>,
+    T: Tree + Has<Motors> + Has<HealthMonitor>,
 {
     let stiffness = tree.get::<HealthMonitor>().derated(tree.get::<Motors>().stiffness());
     let commanded = *tree.get_mut::<Motors>().command(stiffness);
@@ -40,6 +40,6 @@ where
         targets: commanded.targets,
         stiffness: commanded.stiffness,
         lights: Lights { chest, ..Lights::default() },
-        camera: tree.get::<CameraSelector>().selected(),
+        camera: CameraId::Top,
     }
 }

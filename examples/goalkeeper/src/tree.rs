@@ -55,6 +55,6 @@ impl Robot for Keeper {
     }
 
     fn act(&mut self) -> Command {
-        robot::command(self, Light::default())
+        Command { camera: self.get::<CameraSelector>().selected(), ..robot::command(self, Light::default()) }
     }
 }

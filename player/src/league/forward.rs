@@ -63,6 +63,6 @@ impl Robot for Forward {
     }
 
     fn act(&mut self) -> Command {
-        robot::command(self, Light::default())
+        Command { camera: self.get::<CameraSelector>().selected(), ..robot::command(self, Light::default()) }
     }
 }

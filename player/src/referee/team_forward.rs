@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 use bica::runner::Robot;
-use bica_motion::robot::Light;
+use bica_motion::robot::{Command, Light};
 
 use super::{FieldPose, GameController, GoTo, Order, Reporter, TeamCommand, TeamPlayer, TeamSensors, Whistle};
 use crate::behaviour::{
@@ -64,7 +64,7 @@ impl Robot for TeamForward {
 
     fn act(&mut self) -> TeamCommand {
         let chest = light(self.get::<GameController>().order());
-        let body = robot::command(self, chest);
+        let body = Command { camera: self.get::<CameraSelector>().selected(), ..robot::command(self, chest) };
         let (answer, message) = (self.get_mut::<Reporter>().take(), self.get_mut::<TeamComm>().take());
         TeamCommand { body, answer, message }
     }

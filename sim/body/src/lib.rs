@@ -1,5 +1,6 @@
 //! Body of a simulated humanoid, without its surroundings.
 //!
+//! - [`ideal`]: a body that follows its targets exactly.
 //! - [`sensor_model`]: resolution, range and noise of the body's sensors.
 //! - [`motor_heat`]: temperatures of the motors.
 //! - `mujoco` (feature): rigid bodies, motors with dead time, contacts and falls.
@@ -17,6 +18,7 @@ use core::time::Duration;
 
 use bica_motion::fall::Direction;
 
+pub mod ideal;
 pub mod motor_heat;
 #[cfg(feature = "mujoco")]
 pub mod mujoco;

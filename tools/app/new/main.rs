@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use bica_app::Failure;
 use clap::Parser;
 
-use template::{CART, EMBASSY, Template};
+use template::{CART, EMBASSY, HUMANOID, Template};
 
 /// Tools for robots with BICA
 #[derive(Debug, Parser)]
@@ -22,14 +22,22 @@ enum Cli {
         /// Folder of the crate; its last part is the crate's name. A name alone in the checkout of BICA is a folder beside it
         folder: PathBuf,
         /// Write firmware for a Cortex-M instead, which runs in QEMU
-        #[arg(long)]
+        #[arg(long, conflicts_with = "humanoid")]
         embassy: bool,
+        /// Write a humanoid instead: its data, its body for MuJoCo, and a behaviour that walks
+        #[arg(long)]
+        humanoid: bool,
     },
 }
 
 fn main() -> ExitCode {
-    let Cli::New { folder, embassy } = Cli::parse();
-    match new(&folder, if embassy { &EMBASSY } else { &CART }) {
+    let Cli::New { folder, embassy, humanoid } = Cli::parse();
+    let template = match (embassy, humanoid) {
+        (true, _) => &EMBASSY,
+        (_, true) => &HUMANOID,
+        _ => &CART,
+    };
+    match new(&folder, template) {
         Ok(text) => {
             println!("{text}");
             ExitCode::SUCCESS

@@ -52,6 +52,26 @@ pub(crate) const EMBASSY: Template = Template {
     run: "cargo run --release",
 };
 
+/// Template of the humanoid in `docs/new-robot.md`.
+pub(crate) const HUMANOID: Template = Template {
+    name: "biped",
+    manifest: include_str!("../template/humanoid/manifest.toml"),
+    files: &[
+        (".cargo/config.toml", include_str!("../template/humanoid/config.toml")),
+        ("build.rs", include_str!("../template/humanoid/build.rs")),
+        ("src/lib.rs", include_str!("../template/humanoid/lib.rs")),
+        ("src/main.rs", include_str!("../template/humanoid/main.rs")),
+        ("src/model.rs", include_str!("../template/humanoid/model.rs")),
+        ("src/world.rs", include_str!("../template/humanoid/world.rs")),
+        ("benches/budgets.rs", include_str!("../template/humanoid/budgets.rs")),
+        (".gitignore", include_str!("../template/cart/gitignore")),
+        (".github/workflows/ci.yml", include_str!("../template/cart/ci.yml")),
+        ("README.md", include_str!("../template/humanoid/README.md")),
+    ],
+    copies: &[("robot.xml", "bica-motion/models/k1/robot.xml"), ("robot.xml.LICENSE", "bica-motion/models/k1/LICENSE")],
+    run: "cargo run",
+};
+
 impl Template {
     /// Returns path and text of each file for a crate with this name; `checkout` is the path from the crate to the checkout.
     ///
@@ -70,11 +90,12 @@ impl Template {
         own.map(|(path, text)| Ok((path, self.named(text, name, checkout)))).chain(copied).collect()
     }
 
-    /// Replaces the template's name by another one: the names of the package, of the crate in code, and of the program.
+    /// Replaces the template's name by another one: the names of the package, of the crate in code, of the program and of the robot.
     fn named(&self, text: &str, name: &str, checkout: &str) -> String {
         let old = self.name;
         text.replace(CHECKOUT, checkout)
             .replace(&format!("name = \"{old}\""), &format!("name = \"{name}\""))
+            .replace(&format!("id: \"{old}\""), &format!("id: \"{name}\""))
             .replace(&format!("new(\"{old}\")"), &format!("new(\"{name}\")"))
             .replace(&format!("{old}::app()"), &format!("{}::app()", name.replace('-', "_")))
             .replace(&format!("# {old}\n"), &format!("# {name}\n"))

@@ -1,34 +1,25 @@
 //! Simulated body of the robot: ideal, or with forces.
 
 use bica_app::Failure;
+use bica_body::ideal::IdealBody;
 #[cfg(feature = "mujoco")]
 use bica_body::{
     Posture,
     mujoco::{Error, Humanoid, Model, Physics},
     random::Random,
 };
-use bica_motion::joints::{JOINTS, Joints};
-use bica_motion::kinematics::sole;
 use bica_motion::model::simulation::NAO;
-use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
-use bica_motion::side::Side;
+use bica_motion::robot::Sensors;
 #[cfg(feature = "mujoco")]
 use bica_motion::{pose::Pose2, robot};
 
 use crate::body::REST;
 use crate::robot::Command;
 
-/// Temperature of a motor without a load, °C.
-const COOL: f32 = 38.0;
-/// Force of a standing robot on a sensor of a sole, N.
-const LOAD: f32 = 6.5;
-/// Height above the other sole from which a foot bears no weight, m. Without this limit the odometry would not detect steps.
-const SWING: f32 = 0.002;
-
 /// Simulated body.
 pub(super) enum Body {
     /// Body that follows its targets exactly. It always stands unless it is pushed over.
-    Ideal { angles: Joints, fallen: bool },
+    Ideal(IdealBody),
     /// Rigid bodies in MuJoCo.
     #[cfg(feature = "mujoco")]
     Forces(Box<Humanoid>),
@@ -36,7 +27,7 @@ pub(super) enum Body {
 
 impl Default for Body {
     fn default() -> Self {
-        Self::Ideal { angles: REST, fallen: false }
+        Self::Ideal(IdealBody::new(NAO.robot, REST))
     }
 }
 
@@ -70,33 +61,18 @@ impl Body {
 
     /// Measurements of this cycle.
     pub(super) fn sense(&self) -> Sensors<'static> {
-        let (angles, fallen) = match self {
-            Self::Ideal { angles, fallen } => (*angles, *fallen),
+        match self {
+            Self::Ideal(body) => body.sensors(),
             #[cfg(feature = "mujoco")]
-            Self::Forces(humanoid) => return humanoid.sensors(),
-        };
-        let [left, right] = Side::BOTH.map(|side| sole(NAO, side, &angles).translation.z);
-        let foot = |higher: f32| {
-            let load = if higher > SWING { 0.0 } else { LOAD };
-            FootPressure { front_left: load, front_right: load, rear_left: load, rear_right: load }
-        };
-        Sensors {
-            angles,
-            temperatures: Joints([COOL; JOINTS]),
-            currents: Joints([0.0; JOINTS]),
-            inertial: Inertial { pitch: if fallen { 1.5 } else { 0.0 }, ..Inertial::default() },
-            left_foot: foot(left - right),
-            right_foot: foot(right - left),
-            buttons: Buttons::default(),
-            image: None,
+            Self::Forces(humanoid) => humanoid.sensors(),
         }
     }
 
     /// Executes a command for one cycle. Returns whether the robot falls.
     pub(super) fn act(&mut self, command: &Command) -> bool {
         match self {
-            Self::Ideal { angles, .. } => {
-                *angles = angles.moved_toward(NAO, &command.targets, 0.01);
+            Self::Ideal(body) => {
+                body.act(&command.targets);
                 false
             }
             #[cfg(feature = "mujoco")]
@@ -111,7 +87,7 @@ impl Body {
     /// Returns why the simulation cannot continue; `None` if it can.
     pub(super) fn failure(&self) -> Option<&str> {
         match self {
-            Self::Ideal { .. } => None,
+            Self::Ideal(_) => None,
             #[cfg(feature = "mujoco")]
             Self::Forces(humanoid) => humanoid.failure(),
         }
@@ -120,7 +96,7 @@ impl Body {
     /// Pushes the robot over, or sets it upright.
     pub(super) fn push_over(&mut self, over: bool) {
         match self {
-            Self::Ideal { fallen, .. } => *fallen = over,
+            Self::Ideal(body) => body.push_over(over),
             #[cfg(feature = "mujoco")]
             Self::Forces(humanoid) if over => humanoid.add_velocity(glam::Vec2::new(-2.0, 0.0)),
             #[cfg(feature = "mujoco")]

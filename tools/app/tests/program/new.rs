@@ -32,8 +32,8 @@ fn new(folder: &Path, args: &[&str]) -> Ran {
 }
 
 /// Creates a crate with the lock file of the repository, so that cargo needs no network.
-fn made(folder: &Folder, name: &str) -> PathBuf {
-    let ran = new(folder.path(), &[name]);
+fn made(folder: &Folder, name: &str, kind: &[&str]) -> PathBuf {
+    let ran = new(folder.path(), &[&[name], kind].concat());
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert!(ran.stdout.contains("cargo run"), "{}", ran.stdout);
     let made = folder.path().join(name);
@@ -59,7 +59,7 @@ fn cargo(folder: &Path, args: &[&str]) -> Ran {
 #[test]
 fn new_crate_needs_no_package_of_another_robot() {
     let folder = Folder::new("new-tree");
-    let ran = cargo(&made(&folder, "my-cart"), &["tree", "--edges", "normal", "--prefix", "none"]);
+    let ran = cargo(&made(&folder, "my-cart", &[]), &["tree", "--edges", "normal", "--prefix", "none"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let packages: BTreeSet<_> = ran.stdout.lines().filter_map(|line| line.split(' ').next()).collect();
     assert!(["my-cart", "bica-link", "bica-recording"].iter().all(|name| packages.contains(name)), "{packages:?}");
@@ -72,7 +72,7 @@ fn new_crate_needs_no_package_of_another_robot() {
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_new_crate_runs_records_replays_and_benches() {
     let folder = Folder::new("new-robot");
-    let made = made(&folder, "my-cart");
+    let made = made(&folder, "my-cart", &[]);
     let passes = |args: &[&str], words: &[&str]| {
         let ran = cargo(&made, args);
         assert_eq!(ran.code, Some(0), "{args:?}: {}{}", ran.stdout, ran.stderr);
@@ -94,6 +94,33 @@ fn slow_new_crate_runs_records_replays_and_benches() {
         ran.stdout,
         ran.stderr
     );
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_new_humanoid_walks_and_replays() {
+    let folder = Folder::new("new-humanoid");
+    let made = made(&folder, "my-walker", &["--humanoid"]);
+    let mut output = String::new();
+    for args in [&["run"][..], &["run", "--", "run", "--record", "run.mcap"], &["run", "--", "replay", "run.mcap"]] {
+        let ran = cargo(&made, args);
+        assert_eq!(ran.code, Some(0), "{args:?}: {}{}", ran.stdout, ran.stderr);
+        assert!(!ran.stderr.contains("warning"), "{}", ran.stderr);
+        output += &ran.stdout;
+    }
+    for words in ["Patrol:turn_round", "done after 20.95 s, 2095 cycles in floor", "equal, bit for bit"] {
+        assert!(output.contains(words), "{words} not in {output}");
+    }
+}
+
+#[test]
+fn humanoid_is_written_with_its_body() {
+    let folder = Folder::new("new-biped");
+    assert_eq!(new(folder.path(), &["--humanoid", "tall-one"]).code, Some(0));
+    let read = |file: &str| fs::read_to_string(folder.path().join("tall-one").join(file)).expect("a file");
+    assert!(read("Cargo.toml").contains("name = \"tall-one\"") && read("src/main.rs").contains("tall_one::app()"));
+    assert!(read("src/model.rs").contains("id: \"tall-one\"") && read("robot.xml").contains("<mujoco"));
+    new(folder.path(), &["--humanoid", "--embassy", "both"]).refused(&["cannot be used with"]);
 }
 
 #[test]

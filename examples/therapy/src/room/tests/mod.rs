@@ -57,7 +57,7 @@ const fn ms(milliseconds: u64) -> Duration {
 
 fn angles(test: &Test) -> Joints {
     match &test.world().body {
-        Body::Ideal { angles, .. } => *angles,
+        Body::Ideal(body) => *body.angles(),
         #[cfg(feature = "mujoco")]
         Body::Forces(humanoid) => humanoid.angles(),
     }
