@@ -6,6 +6,7 @@ use crate::graph::{State, WorkFunction};
 use crate::info::Info;
 use crate::modulation::Modulation;
 use crate::params::{ParamGroup, Value};
+use crate::role::RoleName;
 use crate::work::WorkSlot;
 
 /// The unit of behaviour: it perceives, acts, or decides between the two.
@@ -46,6 +47,9 @@ pub trait Component: Sized + 'static {
     const MODULATIONS: &'static [Modulation] = &[];
     /// The function that runs beside the loop.
     const WORK: Option<&'static WorkFunction> = None;
+    /// The roles for which its arguments ask.
+    #[doc(hidden)]
+    const ROLES: &'static [RoleName] = &[];
     /// The place of its jobs; `()` without one.
     #[doc(hidden)]
     type Work: WorkSlot;

@@ -18,7 +18,9 @@ pub use crate::params::{
 pub use crate::place::{Axis, Hint};
 pub use crate::probe::Probe;
 pub use crate::rate::Rate;
-pub use crate::role::{Checked, Fills, Provide, ProvidedBy, Role, assert_asked, assert_provided, assert_role};
+pub use crate::role::{
+    Checked, Fills, Provide, ProvidedBy, Role, RoleName, assert_asked, assert_filled, assert_provided, assert_role,
+};
 pub use crate::tree::borrow::{Read, Slot, Write, WriteRate};
 pub use crate::tree::component_state::ComponentState;
 pub use crate::tree::cycle::{Cycle, Machine, Visit, is_shared, visits_at_rate};

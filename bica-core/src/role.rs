@@ -1,6 +1,7 @@
 //! Roles: what a component needs of another one, without naming it.
 
 use crate::graph::{Graph, Link};
+use crate::params::declare::equal;
 use crate::text::Text;
 use crate::tree::Has;
 
@@ -20,13 +21,39 @@ pub trait Fills<R: ?Sized>: Has<<Self as Fills<R>>::Provider> {
     const ROLE: usize;
 }
 
+/// The name of a role, the same by whatever path it is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RoleName {
+    /// The module of its trait.
+    pub module: &'static str,
+    /// The trait's name.
+    pub name: &'static str,
+}
+
+impl RoleName {
+    const fn equals(self, other: Self) -> bool {
+        equal(self.name, other.name) && equal(self.module, other.module)
+    }
+
+    const fn is_in(self, names: &[Self]) -> bool {
+        let mut index = 0;
+        while index < names.len() && !self.equals(names[index]) {
+            index += 1;
+        }
+        index < names.len()
+    }
+}
+
 /// The type `dyn Trait` of a trait with `#[role]`; no value of it ever exists.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no role",
     label = "its trait has no `#[role]`",
     note = "write `#[role]` on the trait"
 )]
-pub trait Role {}
+pub trait Role {
+    /// Its name.
+    const NAME: RoleName;
+}
 
 /// Component `P` implements the trait of the role `Self`.
 pub trait ProvidedBy<P> {}
@@ -68,6 +95,51 @@ pub const fn assert_provided(is_role: bool, is_provided: bool, role: &str, compo
         panic!("{}", text.as_str());
     }
     true
+}
+
+/// Returns true if a tree names a provider for each role for which its components ask.
+///
+/// # Panics
+/// Otherwise, with the first role that has none and the components that ask for it.
+#[track_caller]
+#[must_use]
+pub const fn assert_filled(tree: &str, filled: &[RoleName], components: &[(&str, &[RoleName])]) -> bool {
+    let mut component = 0;
+    while component < components.len() {
+        let (asked, mut role) = (components[component].1, 0);
+        while role < asked.len() {
+            if !asked[role].is_in(filled) {
+                panic!("{}", lack(tree, asked[role], components).as_str());
+            }
+            role += 1;
+        }
+        component += 1;
+    }
+    true
+}
+
+/// The message about a role without a provider.
+const fn lack(tree: &str, role: RoleName, components: &[(&str, &[RoleName])]) -> Text<1024> {
+    let (mut text, mut component, mut count) = (Text::new(), 0, 0);
+    text.push("tree `");
+    text.push(tree);
+    text.push("` names no component for the role `");
+    text.push(role.name);
+    text.push("`, for which ");
+    while component < components.len() {
+        if role.is_in(components[component].1) {
+            text.push(if count == 0 { "`" } else { ", `" });
+            text.push(components[component].0);
+            text.push("`");
+            count += 1;
+        }
+        component += 1;
+    }
+    text.push(if count == 1 { " asks" } else { " ask" });
+    text.push(": add a listed component that provides it, `roles: { ");
+    text.push(role.name);
+    text.push(": Component }`");
+    text
 }
 
 /// Checks that a component asks for the role of that index, unless one has mistakes of its own.

@@ -28,13 +28,14 @@ use proc_macro::TokenStream;
 #[doc = include_str!("../doc/component.md")]
 #[proc_macro_attribute]
 pub fn component(options: TokenStream, item: TokenStream) -> TokenStream {
-    component::run(options.into(), &item.into()).into()
+    component::run(written(options), &item.into()).into()
 }
 
 #[doc = include_str!("../doc/activation_tree.md")]
 #[proc_macro]
 pub fn activation_tree(input: TokenStream) -> TokenStream {
-    tree::run(input.into()).into()
+    let place = proc_macro::Span::call_site();
+    tree::run(input.into(), (place.line(), place.column())).into()
 }
 
 #[doc = include_str!("../doc/params.md")]
@@ -58,25 +59,32 @@ pub fn component_doc(item: TokenStream) -> TokenStream {
 #[doc = include_str!("../doc/output.md")]
 #[proc_macro_attribute]
 pub fn output(options: TokenStream, item: TokenStream) -> TokenStream {
-    plain_item::output(options.into(), &item.into()).into()
+    plain_item::output(written(options), &item.into()).into()
 }
 
 #[doc = include_str!("../doc/message.md")]
 #[proc_macro_attribute]
 pub fn message(options: TokenStream, item: TokenStream) -> TokenStream {
-    plain_item::message(options.into(), &item.into()).into()
+    plain_item::message(written(options), &item.into()).into()
 }
 
 #[doc = include_str!("../doc/world_actions.md")]
 #[proc_macro_attribute]
 pub fn world_actions(options: TokenStream, item: TokenStream) -> TokenStream {
-    actions::run(options.into(), &item.into()).into()
+    actions::run(written(options), &item.into()).into()
 }
 
 #[doc = include_str!("../doc/role.md")]
 #[proc_macro_attribute]
 pub fn role(options: TokenStream, item: TokenStream) -> TokenStream {
-    role::run(options.into(), &item.into()).into()
+    role::run(written(options), &item.into()).into()
+}
+
+/// The options of an attribute; none if it is written `#[name = value]`, which the compiler refuses itself.
+fn written(options: TokenStream) -> proc_macro2::TokenStream {
+    let attribute = proc_macro::Span::call_site().source_text().unwrap_or_default();
+    let first = attribute.trim_start_matches("#[").matches(['(', '[', '{', '=']).next();
+    if first == Some("=") { proc_macro2::TokenStream::new() } else { options.into() }
 }
 
 #[cfg(doctest)]

@@ -5,7 +5,7 @@ use quote::quote;
 
 use crate::expand::quoting::{enclosed, runtime};
 use bica_syntax::report::Report;
-use bica_syntax::role;
+use bica_syntax::{role, text};
 
 /// Expands `#[role(options)] item`: the trait, and that its type `dyn Trait` is a role of all that implement it.
 pub(crate) fn run(options: TokenStream, item: &TokenStream) -> TokenStream {
@@ -15,12 +15,14 @@ pub(crate) fn run(options: TokenStream, item: &TokenStream) -> TokenStream {
         return quote!(#item #errors);
     };
     let (item, p, errors) = (&role.item, runtime(), report.to_compile_errors());
-    let name = &item.ident;
+    let (name, text) = (&item.ident, text::name(&item.ident));
     let traits = enclosed(
         &role.krate,
         &quote! {
             #[automatically_derived]
-            impl #p::Role for dyn #name {}
+            impl #p::Role for dyn #name {
+                const NAME: #p::RoleName = #p::RoleName { module: ::core::module_path!(), name: #text };
+            }
 
             #[automatically_derived]
             impl<__P: #name> #p::ProvidedBy<__P> for dyn #name {}

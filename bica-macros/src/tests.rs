@@ -82,16 +82,27 @@ fn run_functions_are_not_inlined_on_bare_metal() {
     assert_eq!(never(&machine()), 3, "two states and a hook that may write");
 }
 
-/// The first message about two trees of one name is then about that name.
+/// Only their names collide then.
 #[test]
-fn the_struct_is_the_first_item_of_a_tree() {
-    let file: File = parse2(tree::run(forward())).expect("code");
-    assert!(matches!(&file.items[0], Item::Struct(owner) if owner.ident == "Forward"));
+fn trees_at_two_places_share_only_their_name() {
+    let items = |place| parse2::<File>(tree::run(forward(), place)).expect("code").items;
+    let named = |items: Vec<Item>| {
+        let name = |item: Item| match item {
+            Item::Mod(item) => Some(item.ident.to_string()),
+            Item::Use(item) => Some(words(quote!(#item)).concat()),
+            Item::Const(item) if item.ident == "_" => None,
+            other => panic!("{}", quote!(#other)),
+        };
+        items.into_iter().filter_map(name).collect::<Vec<_>>()
+    };
+    let (first, second) = (named(items((1, 1))), named(items((2, 1))));
+    assert!(first[1].ends_with("::Forward;") && second[1].ends_with("::Forward;"), "{first:?}");
+    assert!(first.iter().all(|name| !second.contains(name)), "{first:?}");
 }
 
 #[test]
 fn generated_code_contains_no_unsafe() {
-    for code in [component::run(quote!(), &machine()), tree::run(forward())] {
+    for code in [component::run(quote!(), &machine()), tree::run(forward(), (1, 1))] {
         assert!(!words(code).contains(&"unsafe".to_owned()));
     }
 }
@@ -155,13 +166,16 @@ fn generated_code_names_everything_by_its_path() {
     let codes = [
         component::run(quote!(hz = 30), &operator),
         component::run(quote!(), &quote!(impl Head { fn step(&mut self, body: Body) {} })),
-        tree::run(forward()),
-        tree::run(tunable),
-        tree::run(quote!(
-            struct Robot {
-                root: Player,
-            }
-        )),
+        tree::run(forward(), (1, 1)),
+        tree::run(tunable, (1, 1)),
+        tree::run(
+            quote!(
+                struct Robot {
+                    root: Player,
+                }
+            ),
+            (1, 1),
+        ),
         params::params(params.to_string().replace("Own", "i32").parse().expect("tokens")),
         params::params(quote!(
             struct P {
@@ -216,19 +230,23 @@ fn an_item_that_is_no_block_is_emitted_unchanged() {
 
 #[test]
 fn all_mistakes_of_a_tree_are_reported_at_once() {
-    let code = tree::run(quote!(struct Robot { rot: Head, cycle_hz: 0, budget_ms: -1, components: [Head, Head] }));
+    let code =
+        tree::run(quote!(struct Robot { rot: Head, cycle_hz: 0, budget_ms: -1, components: [Head, Head] }), (1, 1));
     assert_eq!(messages(code).len(), 4);
 }
 
 #[test]
 fn a_tree_with_mistakes_gets_a_stub_and_no_check() {
-    let code = tree::run(quote!(
-        struct Robot {
-            root: Head,
-            cycle_hz: often,
-            components: [Head],
-        }
-    ));
+    let code = tree::run(
+        quote!(
+            struct Robot {
+                root: Head,
+                cycle_hz: often,
+                components: [Head],
+            }
+        ),
+        (1, 1),
+    );
     let words = words(code);
     for word in ["Robot", "Layout", "Has"] {
         assert!(words.contains(&word.to_owned()), "{word}");
@@ -240,10 +258,13 @@ fn a_tree_with_mistakes_gets_a_stub_and_no_check() {
 fn empty_input_is_an_error_and_no_panic() {
     for code in [
         component::run(quote!(), &quote!()),
-        tree::run(quote!()),
-        tree::run(quote!(
-            struct Robot {}
-        )),
+        tree::run(quote!(), (1, 1)),
+        tree::run(
+            quote!(
+                struct Robot {}
+            ),
+            (1, 1),
+        ),
     ] {
         assert!(!messages(code).is_empty());
     }

@@ -6,14 +6,14 @@ use crate::expand::tree as expand;
 use bica_syntax::report::Report;
 use bica_syntax::tree::{check, parse};
 
-/// Expands `activation_tree! { input }`.
-pub(crate) fn run(input: TokenStream) -> TokenStream {
+/// Expands `activation_tree! { input }`, which stands at this line and column.
+pub(crate) fn run(input: TokenStream, place: (usize, usize)) -> TokenStream {
     let mut report = Report::default();
     let Some(draft) = parse::parse(input, &mut report) else {
         return report.to_compile_errors();
     };
     match check::check(&draft, &mut report) {
-        Some(tree) => expand::expand(&tree),
+        Some(tree) => expand::expand(&tree, place),
         None if draft.names_a_component() => report.to_compile_errors(),
         None => expand::stub(&draft, &report),
     }

@@ -1,6 +1,6 @@
 //! Types as written.
 
-use syn::{GenericArgument, PathArguments, Type};
+use syn::{GenericArgument, Lifetime, PathArguments, Type};
 
 /// The type without parentheses and without the invisible brackets that a `macro_rules` macro puts around it.
 pub(crate) fn plain(mut kind: &Type) -> &Type {
@@ -28,4 +28,17 @@ pub(crate) fn is_unsized(argument: &GenericArgument) -> bool {
         Type::Path(path) => path.path.segments.last().is_some_and(|last| last.ident == "str"),
         _ => false,
     }
+}
+
+/// The lifetimes in the angle brackets of a type.
+pub(crate) fn lifetimes(own: &Type) -> impl Iterator<Item = &Lifetime> {
+    let last = if let Type::Path(path) = own { path.path.segments.last() } else { None };
+    let arguments = last.and_then(|last| match &last.arguments {
+        PathArguments::AngleBracketed(list) => Some(&list.args),
+        _ => None,
+    });
+    arguments.into_iter().flatten().filter_map(|argument| match argument {
+        GenericArgument::Lifetime(lifetime) => Some(lifetime),
+        _ => None,
+    })
 }

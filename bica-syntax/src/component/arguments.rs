@@ -11,7 +11,7 @@ use super::model::Argument;
 use super::{found, role, work};
 use crate::report::Report;
 use crate::types::{is_unsized, plain, unsized_argument};
-use crate::{text, wording};
+use crate::{text, types, wording};
 
 /// Types of the language that can be no components.
 const VALUES: [&str; 17] = [
@@ -284,6 +284,10 @@ fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) 
     let child = plain(&reference.elem).clone();
     if let Some(of) = unsized_argument(&child) {
         report.add(of, wording::no_size(&text::written(of)));
+        return None;
+    }
+    if let Some(lifetime) = types::lifetimes(&child).find(|lifetime| lifetime.ident != "static") {
+        report.add(lifetime, wording::LINK_BORROWS);
         return None;
     }
     if is_own(&child, own) {

@@ -3,10 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
-use syn::{
-    Attribute, GenericArgument, Generics, Item as AnyItem, Lifetime, PathArguments, Token, Type, TypeParamBound,
-    WherePredicate, parse_quote,
-};
+use syn::{Attribute, Generics, Item as AnyItem, Token, Type, TypeParamBound, WherePredicate, parse_quote};
 
 use super::arguments::{self, Form};
 use super::attributes::StateWords;
@@ -14,7 +11,7 @@ use super::block::{self, Block, Item};
 use super::model::{Component, Function, Hook, State, Transition};
 use super::{attributes, found, operator, options, roles, signature, work};
 use crate::report::Report;
-use crate::types::plain;
+use crate::types::{lifetimes, plain};
 use crate::{text, wording};
 
 /// What an item with `#[component]` turned out to be.
@@ -100,19 +97,6 @@ fn without_roles(mut component: Component, at: TokenStream, problem: &str, repor
     let is_type = of_a_trait || component_name(component.own()).is_some();
     let item = if is_type { component.block.to_token_stream() } else { TokenStream::new() };
     Parsed::Misplaced { item, of }
-}
-
-/// The lifetimes of a type.
-fn lifetimes(own: &Type) -> impl Iterator<Item = &Lifetime> {
-    let last = if let Type::Path(path) = own { path.path.segments.last() } else { None };
-    let arguments = last.and_then(|last| match &last.arguments {
-        PathArguments::AngleBracketed(list) => Some(&list.args),
-        _ => None,
-    });
-    arguments.into_iter().flatten().filter_map(|argument| match argument {
-        GenericArgument::Lifetime(lifetime) => Some(lifetime),
-        _ => None,
-    })
 }
 
 /// Takes off each bound `?Sized`, so that the compiler reports no further ones.

@@ -42,7 +42,11 @@ fn head(input: ParseStream, report: &mut Report) -> syn::Result<Draft> {
     let visibility: Visibility = input.parse()?;
     let form = |error: syn::Error| syn::Error::new(error.span(), wording::TREE_FORM);
     input.parse::<Token![struct]>().map_err(form)?;
-    let name: Ident = input.parse().map_err(form)?;
+    let mut name: Ident = input.parse().map_err(form)?;
+    if let Some(word) = input.parse::<Option<Token![as]>>()? {
+        name = input.parse()?;
+        report.add(word, wording::tree_renamed(&text::name(&name)));
+    }
     let generics: Generics = input.parse()?;
     if !generics.params.is_empty() {
         report.add(&generics, wording::TREE_GENERIC);

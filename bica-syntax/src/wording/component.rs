@@ -10,6 +10,8 @@ pub(crate) const NOT_A_NAME: &str = "a component is a struct or an enum: write i
 pub(crate) const LIFETIME: &str =
     "a component cannot borrow, because its tree owns it: store values, and read other components in `step`";
 
+pub(crate) const LINK_BORROWS: &str =
+    "a component has no lifetime, because its tree owns it: name one that stores its values";
 pub(crate) const STATIC: &str =
     "a component has no lifetime: remove this one from the type, and write `&'static` in the types of its fields";
 pub(crate) const NO_SIZE_BOUND: &str = "a tree stores its components, so each type in them has a size: remove `?Sized`";

@@ -32,6 +32,7 @@ pub(crate) fn derived(name: &str) -> String {
 
 messages! {
     tree_of_a_component(name) = "the tree and its root are both called `{name}`: give the tree another name";
+    tree_renamed(name) = "a tree has one name: write `struct {name}`";
     colon(key) = "a colon follows the name of a field: `{key}: ...`";
     missing(key, example) = "the tree has no `{key}`: add `{key}: {example}`";
     role_listed_twice(role) = "the role `{role}` has a component already: remove one, because a tree has one for each role";

@@ -79,6 +79,18 @@ activation_tree! {
     }
 }
 
+struct Guard;
+#[component]
+impl Guard {
+    const fn new() -> Self { Self }
+
+    fn step(&mut self, ball: &impl Ball, watch: &mut Watch, follow: &mut Follow) {}
+}
+
+activation_tree! {
+    struct WithoutAny { root: Guard, cycle_hz: 100, components: [Guard, Watch, Follow, Eye, Body] }
+}
+
 fn main() {
     WithoutProvider::new().tick(Instant::from_ticks(0));
     WithoutTrait::new().tick(Instant::from_ticks(0));

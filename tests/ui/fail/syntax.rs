@@ -1,4 +1,4 @@
-//! Syntax errors in a body and in a signature.
+//! Syntax errors in a body, in a signature and in an attribute.
 
 use bica::prelude::*;
 
@@ -32,6 +32,18 @@ impl Signature {
 
 activation_tree! {
     struct Signatures { root: Signature, cycle_hz: 100, components: [Signature, Ball] }
+}
+
+struct Assigned;
+#[component = 30]
+impl Assigned {
+    const fn new() -> Self { Self }
+
+    fn step(&mut self) {}
+}
+
+activation_tree! {
+    struct Assignment { root: Assigned, cycle_hz: 100, components: [Assigned] }
 }
 
 fn main() {

@@ -1,4 +1,4 @@
-//! Components, steps, states and entries of a list that exist twice.
+//! Components, trees, steps, states and entries of a list that exist twice.
 
 use bica::prelude::*;
 
@@ -10,6 +10,20 @@ impl Ball {
 
 activation_tree! {
     struct Listed { root: Ball, cycle_hz: 100, components: [Ball, self::Ball] }
+}
+
+activation_tree! {
+    struct Robot { root: Ball, cycle_hz: 100, components: [Ball] }
+}
+
+activation_tree! {
+    struct Robot { root: Ball, cycle_hz: 50, components: [Ball], tunable }
+}
+
+struct Goalkeeper;
+
+activation_tree! {
+    struct Goalkeeper { root: Ball, cycle_hz: 100, components: [Ball] }
 }
 
 struct Blocks;

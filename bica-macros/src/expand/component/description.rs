@@ -5,7 +5,7 @@ use quote::quote;
 use syn::{GenericParam, Generics, Type, parse_quote};
 
 use super::tuning::Tuning;
-use super::{node, operator, work};
+use super::{node, operator, role, work};
 use crate::expand::quoting::{option, runtime};
 use bica_syntax::component::model::{Behaviour, Component, Machine, MachineState};
 use bica_syntax::text;
@@ -24,6 +24,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let tuning = Tuning::of(component).items();
     let operator = operator::descriptions(component);
     let work = work::description(component);
+    let roles = role::names(component);
     quote! {
         #[automatically_derived]
         impl #parameters #p::Component for #own #bounds {
@@ -38,6 +39,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             #tuning
             #operator
             #work
+            #roles
         }
     }
 }

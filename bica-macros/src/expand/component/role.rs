@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
-use syn::{Type, WherePredicate, parse_quote_spanned};
+use syn::{Path, Type, WherePredicate, parse_quote_spanned};
 
 use crate::expand::quoting::{at, option, placed, runtime};
 use bica_syntax::component::model::{Argument, Component};
@@ -35,6 +35,22 @@ pub(super) fn index(p: &TokenStream, kind: &Type) -> TokenStream {
 /// Assertions that the traits in the arguments are roles, each once.
 pub(super) fn checks(component: &Component) -> TokenStream {
     let p = runtime();
+    let assertions = of(component).map(|role| {
+        let p = placed(&p, at(role));
+        quote_spanned!(at(role) => const _: () = #p::assert_role::<dyn #role>();)
+    });
+    assertions.collect()
+}
+
+/// The constant with the names of the roles, if there are any.
+pub(super) fn names(component: &Component) -> Option<TokenStream> {
+    let p = runtime();
+    let names: Vec<_> = of(component).map(|role| quote!(<dyn #role as #p::Role>::NAME)).collect();
+    (!names.is_empty()).then(|| quote!(const ROLES: &'static [#p::RoleName] = &[#(#names),*];))
+}
+
+/// The traits in the arguments, each once.
+fn of(component: &Component) -> impl Iterator<Item = &Path> {
     let arguments = component.functions().flat_map(|function| &function.arguments);
     let mut seen = BTreeSet::new();
     arguments
@@ -42,10 +58,5 @@ pub(super) fn checks(component: &Component) -> TokenStream {
             Argument::Read(kind) | Argument::Write(kind) => role_of(kind),
             _ => None,
         })
-        .filter(|role| seen.insert(text::written(role)))
-        .map(|role| {
-            let p = placed(&p, at(role));
-            quote_spanned!(at(role) => const _: () = #p::assert_role::<dyn #role>();)
-        })
-        .collect()
+        .filter(move |role| seen.insert(text::written(role)))
 }

@@ -18,6 +18,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
         // In a tunable tree everything asks for `Component`, so that the compiler reports a type that is none once.
         let member =
             if tree.tunable { quote_spanned!(at(kind) => <#kind as #p::Component>::Itself) } else { quote!(#kind) };
+        let member = quote_spanned!(at(kind) => <__Filled as #p::Provide<#member>>::Component);
         quote_spanned! {at(kind) =>
             #[doc(hidden)]
             #[automatically_derived]

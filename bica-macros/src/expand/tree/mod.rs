@@ -17,16 +17,16 @@ use bica_syntax::tree::model::{Entry, Tree};
 
 pub(crate) use stub::stub;
 
-/// Everything of a tree.
-pub(crate) fn expand(tree: &Tree) -> TokenStream {
-    let (owner, new) = (owner::expand(tree), owner::new(tree));
+/// Everything of a tree, which stands at this line and column.
+pub(crate) fn expand(tree: &Tree, place: (usize, usize)) -> TokenStream {
+    let (owner, own, new) = (owner::expand(tree, place), owner::own(tree, place), owner::new(tree));
     let slots = slots::expand(tree);
     let layout = layout::expand(tree);
     let graph = graph::expand(tree);
     let has = has::expand(tree);
     let roles = roles::expand(tree);
     let names = names(tree);
-    quote!(#owner const _: () = { #names #new #slots #layout #graph #has #roles };)
+    quote!(#owner const _: () = { #own #names #new #slots #layout #graph #has #roles };)
 }
 
 /// Names for each type that the tree lists. All other code uses these names, so that the compiler finds a path that leads

@@ -30,7 +30,26 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
             #asked
         }
     });
-    each.map(|one| quote!(const _: () = { #one };)).collect()
+    let (each, filled) = (each.map(|one| quote!(const _: () = { #one };)), filled(tree));
+    quote!(#(#each)* #filled)
+}
+
+/// A type that the compiler refuses, once, unless each role for which a component asks has a provider.
+fn filled(tree: &Tree) -> TokenStream {
+    let (p, label, kinds) = (runtime(tree), text::name(&tree.name), kinds(tree));
+    let names = tree.components.iter().map(|entry| text::written(&entry.kind));
+    let roles = tree.roles.iter().map(|entry| {
+        let (role, p) = (&entry.role, placed(&p, at(&entry.role)));
+        quote_spanned!(at(role) => <dyn #role as #p::Role>::NAME)
+    });
+    let asked = kinds.iter().map(|kind| {
+        let p = placed(&p, at(kind));
+        quote_spanned!(at(kind) => <#kind as #p::Component>::ROLES)
+    });
+    let p = placed(&p, at(&tree.name));
+    quote_spanned! {at(&tree.name) =>
+        type __Filled = #p::Checked<{ #p::assert_filled(#label, &[#(#roles),*], &[#((#names, #asked)),*]) }>;
+    }
 }
 
 /// The role's name, without its path.
