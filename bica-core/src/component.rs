@@ -2,7 +2,7 @@
 
 use embassy_time::{Duration, Instant, TICK_HZ};
 
-use crate::graph::{State, WorkFunction};
+use crate::graph::{InForce, State, WorkFunction};
 use crate::info::Info;
 use crate::modulation::Modulation;
 use crate::params::{ParamGroup, Value};
@@ -35,6 +35,8 @@ pub trait Component: Sized + 'static {
     const BUDGET_US: Option<f32>;
     /// Whether a state machine continues in the state in which it became latent.
     const RESUME: bool;
+    /// Which of several components counts that write this one in one cycle; `None` if it does not say so.
+    const WRITERS: Option<InForce> = None;
     /// The states, in the order of the text; empty for a component that is no state machine.
     const STATES: &'static [State];
     /// All parameters, which the functions take as `&Tuned<P>`: `()`, a [`Tuned`](crate::Tuned), or pairs of these.

@@ -71,6 +71,8 @@ pub struct Node {
     pub budget_us: Option<f32>,
     /// Whether a state machine continues in the state in which it became latent.
     pub resume: bool,
+    /// Which of several components counts that write this one in one cycle; `None` if it does not say so.
+    pub writers: Option<InForce>,
     /// Links to the components that this one activates, in the order of the text. Of each state the requirements are
     /// visited in this order, and so are the modulations.
     pub links: &'static [Link],
@@ -106,6 +108,7 @@ impl Node {
             hz: None,
             budget_us: None,
             resume: false,
+            writers: None,
             links: &[],
             states: &[],
             transitions: &[],
@@ -221,6 +224,20 @@ impl Roles {
         assert!(role < Self::CAPACITY, "a tree has at most 16 roles");
         Self(self.0 | 1 << role)
     }
+}
+
+/// Which of the components counts that write a child in one cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "wire",
+    derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema),
+    serde(rename_all = "snake_case")
+)]
+pub enum InForce {
+    /// The first: the child is visited after it, with what was written until then.
+    First,
+    /// The last: the child is visited at the end of the cycle.
+    Last,
 }
 
 /// How a component uses a child.

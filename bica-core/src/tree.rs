@@ -20,6 +20,7 @@ pub(crate) mod borrow;
 pub(crate) mod component_state;
 pub(crate) mod cycle;
 pub(crate) mod cycle_state;
+pub(crate) mod deferred;
 pub(crate) mod engine;
 mod layout;
 mod lone_machine;

@@ -1,9 +1,9 @@
 //! The message for each violation: what was found, what is required, the remedy.
 
 use super::frames::parent;
-use super::sum_message::{over_budget, overload};
+use super::sum_message::{over_budget, overload, situation};
 use super::wording::{Message, push_given, words};
-use super::{CAPACITY, Number, Output, Path, Violation};
+use super::{CAPACITY, Number, Output, Path, Violation, Writers};
 use crate::graph::{Graph, Node};
 
 /// Returns the message for a violation, in one line.
@@ -19,6 +19,7 @@ pub const fn message(graph: &Graph, violation: &Violation) -> Message {
         Violation::TooFast(index) => too_fast(&mut text, graph, *index),
         Violation::OverBudget(chain) => over_budget(&mut text, graph, chain),
         Violation::Overload(load) => overload(&mut text, graph, load),
+        Violation::Unordered(child, writers) => unordered(&mut text, graph, *child, writers),
         Violation::TwoPlaces(first, second) => two_places(&mut text, graph, *first, *second),
         Violation::FrameCycle(output) => frame_cycle(&mut text, graph, *output),
     }
@@ -101,6 +102,20 @@ const fn too_fast(text: &mut Message, graph: &Graph, index: usize) {
     words(text, &[", faster than tree `", graph.name, "`, which is ticked with cycle_hz = "]);
     text.push_number(graph.cycle_hz as f64);
     text.push("; lower the component's hz or raise the tree's cycle_hz");
+}
+
+const fn unordered(text: &mut Message, graph: &Graph, child: usize, writers: &Writers) {
+    let (child, first) = (graph.nodes[child].name, graph.nodes[writers.order.get(0)].name);
+    let last = graph.nodes[writers.order.get(writers.order.len() - 1)].name;
+    words(text, &["`", child, "` is written in one cycle by `", first, "`"]);
+    let mut place = 1;
+    while place < writers.order.len() {
+        words(text, &[", then by `", graph.nodes[writers.order.get(place)].name, "`"]);
+        place += 1;
+    }
+    situation(text, graph, &writers.case);
+    words(text, &["; write `#[component(writers = first)]` on `", child, "` if what `", first, "` writes counts"]);
+    words(text, &[", `writers = last` if what `", last, "` does, or let one component write it"]);
 }
 
 /// The output, as `Localization.robot_pose`.

@@ -89,7 +89,7 @@ impl Shares<'_> {
 }
 
 /// Adds the states of the worst case, for the first machines.
-const fn situation(text: &mut Message, graph: &Graph, worst: &WorstCase) {
+pub(super) const fn situation(text: &mut Message, graph: &Graph, worst: &WorstCase) {
     let mut named = 0;
     let mut index = 0;
     while index < graph.nodes.len() && named <= SITUATION {

@@ -2,7 +2,8 @@
 
 use super::frames::{frame_cycle, two_places};
 use super::weight::hz;
-use super::{CAPACITY, Output, Path, WorstCase, cycle, load, longest_chain, steps, unreachable};
+use super::writers::unordered;
+use super::{CAPACITY, Output, Path, WorstCase, Writers, cycle, load, longest_chain, steps, unreachable};
 use crate::graph::{Graph, Node};
 
 /// A broken rule.
@@ -24,6 +25,8 @@ pub enum Violation {
     OverBudget(WorstCase),
     /// The active components need more than a whole processor; see [`load`].
     Overload(WorstCase),
+    /// A component, by index, that several can write in one cycle, and that does not say which of them counts; see [`writers()`](super::writers()).
+    Unordered(usize, Writers),
     /// Two outputs that are the place of one frame.
     TwoPlaces(Output, Output),
     /// An output that places a frame in itself, directly or by other frames.
@@ -64,6 +67,9 @@ pub const fn first_violation(graph: &Graph) -> Option<Violation> {
     }
     if let Some(index) = too_fast(graph) {
         return Some(Violation::TooFast(index));
+    }
+    if let Some((child, writers)) = unordered(graph) {
+        return Some(Violation::Unordered(child, writers));
     }
     if let Some((first, second)) = two_places(graph) {
         return Some(Violation::TwoPlaces(first, second));

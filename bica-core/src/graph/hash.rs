@@ -1,12 +1,12 @@
 //! A hash over the description of a tree.
 
-use super::{Graph, LinkKind, Node};
+use super::{Graph, InForce, LinkKind, Node};
 use crate::params::{Kind, Param};
 
 /// Hash of a tree's description, FNV-1a with 64 bits: names, rates, links, states, transitions, outputs, modulations, and
 /// parameters with their units and kinds.
 ///
-/// The function of work counts if there is one: its name, and whether it runs in slices.
+/// The function of work counts if there is one: its name, and whether it runs in slices. So does `writers = last`.
 ///
 /// What changes no meaning of an index is left out: doc comments, `tunable`, budgets, defaults and ranges of parameters, what transitions
 /// carry, which states have a `#[before]`, roles, whether a modulation is a stop, and the time that work takes. So
@@ -25,6 +25,8 @@ pub const fn hash(graph: &Graph) -> u64 {
 
 const fn node(hash: Fnv, node: &Node) -> Fnv {
     let hash = hash.text(node.name).f32(node.hz).number(node.resume as u64);
+    // A component that does not say so counts as it always did.
+    let hash = if matches!(node.writers, Some(InForce::Last)) { hash.number(1) } else { hash };
     work(operator(params(machine(links(hash, node), node), node), node), node)
 }
 

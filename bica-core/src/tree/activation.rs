@@ -34,6 +34,9 @@ const INTERRUPTED: u8 = 5;
 /// byte and reads no period. A visit that makes a component active reads the period in any case.
 const READS_PERIOD: u8 = 8;
 
+/// Added to any value: the component is visited at the end of the cycle.
+const DEFERRED: u8 = 16;
+
 /// Activation of one component: the parity of the last cycle that visited it while it is active, or why it is not.
 ///
 /// It is a byte for each component and not a bit, so that the processor can write those of two components
@@ -94,14 +97,14 @@ impl Activation {
 
     /// Whether the component is latent, held so or not.
     pub(crate) fn is_any_latent(&self) -> bool {
-        matches!(self.value.get(), LATENT | HELD_LATENT)
+        matches!(self.value.get() & !DEFERRED, LATENT | HELD_LATENT)
     }
 
     /// Makes the next visit read the period, which may change.
     #[inline]
     pub(crate) fn read_period(&self) {
         let value = self.value.get();
-        if value <= Parity::ODD.0 {
+        if value & !DEFERRED <= Parity::ODD.0 {
             self.value.set(value | READS_PERIOD);
         }
     }
@@ -127,9 +130,24 @@ impl Activation {
 
     /// Records that a tick unwound while the component was active, if it was.
     pub(crate) fn interrupt(&self) {
+        self.takes_deferred();
         if !matches!(self.value.get(), LATENT | HELD_LATENT) {
             self.value.set(INTERRUPTED);
         }
+    }
+
+    /// Puts a visit off to the end of the cycle.
+    #[inline]
+    pub(crate) fn defer(&self) {
+        self.value.set(self.value.get() | DEFERRED);
+    }
+
+    /// Returns whether a visit was put off in this cycle, once.
+    #[inline]
+    pub(crate) fn takes_deferred(&self) -> bool {
+        let value = self.value.get();
+        self.value.set(value & !DEFERRED);
+        value & DEFERRED != 0
     }
 
     /// Makes a component latent that was active when a tick unwound; returns whether it was.

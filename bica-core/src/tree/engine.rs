@@ -7,6 +7,7 @@ use embassy_time::Instant;
 use super::borrow::Store;
 use super::component_state::ComponentState;
 use super::cycle::Cycle;
+use super::deferred::visit_deferred;
 use super::layout::Layout;
 use super::steady::become_steady;
 use crate::hold::Hold;
@@ -41,6 +42,9 @@ impl<T: Layout> Engine<T> {
             T::run_steady(&mut cycle);
         } else {
             visit_root(&mut cycle);
+        }
+        if const { T::DEFERS } {
+            visit_last(&mut cycle);
         }
         if !cycle.store.cycle_state().is_settled() {
             update_active(&mut cycle);
@@ -90,11 +94,20 @@ fn visit_root<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
     T::visit_root(cycle);
 }
 
+/// Visits what is held active, and then what was put off to the end of the cycle.
+fn visit_last<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
+    let held_active = cycle.store.cycle_state().held_active();
+    if held_active > 0 {
+        visit_held_active(cycle, held_active);
+    }
+    visit_deferred(cycle);
+}
+
 /// Visits what is held active, and stops what is not active any more.
 #[inline]
 fn update_active<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
     let held_active = cycle.store.cycle_state().held_active();
-    if held_active > 0 {
+    if held_active > 0 && !const { T::DEFERS } {
         visit_held_active(cycle, held_active);
     }
     if cycle.store.cycle_state().takes_recheck() {

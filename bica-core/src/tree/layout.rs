@@ -153,6 +153,10 @@ pub trait Layout: Sized + 'static {
     #[doc(hidden)]
     const WORKS: bool = false;
 
+    /// Whether visits of a component are put off to the end of the cycle.
+    #[doc(hidden)]
+    const DEFERS: bool = false;
+
     /// The plans of steady ticks.
     #[doc(hidden)]
     const PLANS: Plans = Plans::NONE;
@@ -169,6 +173,9 @@ pub trait Layout: Sized + 'static {
     fn run_steady<P: Probe>(_: &mut Cycle<'_, Self, P>) {}
     #[doc(hidden)]
     fn visit<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
+    /// As `visit`, at the end of the cycle, of a component whose visits are put off.
+    #[doc(hidden)]
+    fn visit_deferred<P: Probe>(_: &mut Cycle<'_, Self, P>, _: usize) {}
     #[doc(hidden)]
     fn stop<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
     #[doc(hidden)]

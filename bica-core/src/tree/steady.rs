@@ -2,6 +2,7 @@
 
 use super::borrow::Store;
 use super::cycle::{Cycle, visits_at_rate};
+use super::deferred::is_deferred;
 use super::layout::{Has, Layout};
 use crate::probe::Probe;
 
@@ -30,10 +31,10 @@ pub const fn is_fixed<T: Has<C>, C: 'static>(plan: usize) -> bool {
     T::PLANS.is_fixed(plan, T::INDEX)
 }
 
-/// Whether in plan `plan` the visit of `From` is the first of a steady tick that leads to `To`.
+/// Whether in plan `plan` the visit of `From` is the first of a steady tick that leads to `To`, or puts its visit off.
 #[must_use]
 pub const fn visits_first<T: Has<From> + Has<To>, From: 'static, To: 'static>(plan: usize) -> bool {
-    <T as Layout>::PLANS.is_first(plan, <T as Has<From>>::INDEX, <T as Has<To>>::INDEX)
+    is_deferred::<T, To>() || <T as Layout>::PLANS.is_first(plan, <T as Has<From>>::INDEX, <T as Has<To>>::INDEX)
 }
 
 impl<T: Layout> Store<T> {

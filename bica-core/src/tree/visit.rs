@@ -12,7 +12,9 @@ macro_rules! __visit_functions {
     ($component:ty) => {
         #[inline]
         fn visit<__P: $crate::__private::Probe>(cycle: &mut $crate::__private::Cycle<'_, Self, __P>) {
-            if !const { $crate::__private::is_shared::<Self, $component>() } {
+            if const { $crate::__private::is_deferred::<Self, $component>() } {
+                cycle.defer::<$component>();
+            } else if !const { $crate::__private::is_shared::<Self, $component>() } {
                 <Self as $crate::__private::Has<$component>>::visit_once(cycle);
             } else if !cycle.was_visited::<$component>() {
                 <Self as $crate::__private::Has<$component>>::visit_shared(cycle);

@@ -1,7 +1,7 @@
 //! Evaluation of the checks in constants, as in generated code.
 
 use bica_core::check::{CAPACITY, check, cycle, first_violation, longest_chain, ranks, steps};
-use bica_core::graph::{Graph, Link, Node, State, Transition};
+use bica_core::graph::{Graph, InForce, Link, Node, State, Transition};
 
 use crate::graph_properties::build::{graph, in_state, node, state, to, transition};
 
@@ -38,12 +38,13 @@ static LINKS: [[Link; 3]; CAPACITY] = {
 };
 
 static MACHINES: [Node; CAPACITY] = {
-    let mut nodes = [node("Last"); CAPACITY];
+    let writers = Some(InForce::First);
+    let mut nodes = [Node { writers, ..node("Last") }; CAPACITY];
     let mut index = 0;
     while index < CAPACITY - 3 {
         let budget_us = Some(1.0 + (index * 7 % 13) as f32);
-        nodes[index] =
-            Node { links: &LINKS[index], states: &STATES, transitions: &TRANSITIONS, budget_us, ..node("Machine") };
+        let (states, transitions) = (&STATES, &TRANSITIONS);
+        nodes[index] = Node { links: &LINKS[index], states, transitions, budget_us, writers, ..node("Machine") };
         index += 1;
     }
     nodes

@@ -111,7 +111,7 @@ pub(crate) struct Motor {
     done: Vec<i32>,
 }
 
-#[component(crate = bica_core)]
+#[component(writers = first, crate = bica_core)]
 impl Motor {
     const fn new() -> Self {
         Self { requested: 0, done: Vec::new() }
@@ -171,6 +171,104 @@ fn a_child_of_two_writers_runs_after_the_first() {
     }
     assert_eq!(tree.get::<Motor>().done, [1, 1, 1], "the second value comes too late in each cycle");
     assert_eq!(tree.get::<Motor>().requested, 2, "and is what others read afterwards");
+}
+
+/// As [`Motor`], but the last writer counts.
+pub(crate) struct Late {
+    requested: i32,
+    done: Vec<i32>,
+}
+
+#[component(writers = last, crate = bica_core)]
+impl Late {
+    const fn new() -> Self {
+        Self { requested: 0, done: Vec::new() }
+    }
+
+    fn step(&mut self, motor: &mut Motor) {
+        self.done.push(self.requested);
+        motor.requested = 10 * self.requested;
+    }
+}
+
+/// Writes, and reads the value of the cycle before.
+pub(crate) struct Four {
+    seen: Vec<usize>,
+}
+
+#[component(crate = bica_core)]
+impl Four {
+    const fn new() -> Self {
+        Self { seen: Vec::new() }
+    }
+
+    fn step(&mut self, late: &Late) {
+        self.seen.push(late.done.len());
+    }
+}
+
+pub(crate) struct Five;
+
+#[component(crate = bica_core)]
+impl Five {
+    const fn new() -> Self {
+        Self
+    }
+
+    fn step(&mut self, late: &mut Late) {
+        late.requested = 5;
+    }
+}
+
+pub(crate) struct Six;
+
+#[component(crate = bica_core)]
+impl Six {
+    const fn new() -> Self {
+        Self
+    }
+
+    fn step(&mut self, late: &mut Late) {
+        late.requested = 6;
+    }
+}
+
+pub(crate) struct Three;
+
+#[component(crate = bica_core)]
+impl Three {
+    const fn new() -> Self {
+        Self
+    }
+
+    fn step(&mut self, four: &Four, five: &mut Five, six: &mut Six) {}
+}
+
+activation_tree! {
+    pub(crate) struct LastWriter {
+        root: Three,
+        cycle_hz: 100,
+        components: [Motor, Late, Four, Five, Six, Three],
+        crate: bica_core,
+    }
+}
+
+#[test]
+fn with_writers_last_a_child_runs_at_the_end() {
+    let mut tree = LastWriter::new();
+    (0..4).for_each(|cycle| tree.tick(at(10 * cycle)));
+    assert_eq!(tree.get::<Late>().done, [6, 6, 6, 6]);
+    assert_eq!(tree.get::<Four>().seen, [0, 1, 2, 3], "a reader finds the values of the cycle before");
+    assert_eq!(tree.get::<Motor>().done, [60, 60, 60, 60], "what it activates follows it");
+    // The first writer counts while the second one is latent.
+    tree.hold::<Six>(Hold::Latent);
+    tree.tick(at(40));
+    assert_eq!(tree.get::<Late>().done.last(), Some(&5));
+    // A held writer is one of the cycle, too.
+    tree.hold::<Five>(Hold::Latent);
+    tree.hold::<Six>(Hold::Active);
+    tree.tick(at(50));
+    assert_eq!(tree.get::<Late>().done.last(), Some(&6));
 }
 
 #[test]

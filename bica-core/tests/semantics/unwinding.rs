@@ -71,7 +71,7 @@ macro_rules! fragile {
     };
 }
 
-fragile!(Leaf(hz = 50,) {
+fragile!(Leaf(hz = 50, writers = first,) {
     #[work(takes_ms = 25)]
     fn job(starts: i32) -> i32 {
         user_code();

@@ -129,8 +129,19 @@ pub struct Options {
     pub budget_us: Option<f32>,
     /// The word `resume`.
     pub resume: Option<Ident>,
+    /// Which of several components counts that write this one in one cycle.
+    pub writers: Option<Writers>,
     /// The crate that generated code uses.
     pub krate: Path,
+}
+
+/// Which of the components counts that write one in one cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Writers {
+    /// `writers = first`
+    First,
+    /// `writers = last`
+    Last,
 }
 
 /// A function that the tree calls.

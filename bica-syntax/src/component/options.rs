@@ -1,22 +1,24 @@
-//! `hz = 30, budget_us = 40, resume, crate = ::bica`
+//! `hz = 30, budget_us = 40, resume, writers = first, crate = ::bica`
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 use syn::{Expr, Path, Token, parse_quote};
 
-use super::model::Options;
+use super::model::{Options, Writers};
 use crate::code::Code;
 use crate::comma::comma;
 use crate::report::{Mistake, Report};
 use crate::{number, text, wording};
 
 /// The options that messages name; `crate` is for the crates of the framework.
-const KEYS: [&str; 3] = ["hz", "budget_us", "resume"];
-const KNOWN: &str = "`hz`, `budget_us` and `resume`";
+const KEYS: [&str; 4] = ["hz", "budget_us", "resume", "writers"];
+const KNOWN: &str = "`hz`, `budget_us`, `resume` and `writers`";
 
 /// Names that a user may try, and the option that was meant.
-const SYNONYMS: [(&str, &str); 10] = [
+const SYNONYMS: [(&str, &str); 12] = [
+    ("writer", "writers"),
+    ("written", "writers"),
     ("rate", "hz"),
     ("rate_hz", "hz"),
     ("cycle_hz", "hz"),
@@ -31,7 +33,7 @@ const SYNONYMS: [(&str, &str); 10] = [
 
 /// Reads the options; an option that cannot be read keeps its default.
 pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Options {
-    let mut options = Options { hz: None, budget_us: None, resume: None, krate: parse_quote!(::bica) };
+    let mut options = Options { hz: None, budget_us: None, resume: None, writers: None, krate: parse_quote!(::bica) };
     let mut seen = Vec::new();
     let parser = |input: ParseStream| {
         while !input.is_empty() {
@@ -73,6 +75,7 @@ fn one(input: ParseStream, options: &mut Options, seen: &mut Vec<Ident>, report:
             }
             options.resume = Some(key.clone());
         }
+        "writers" => options.writers = Some(writers(input, &key)?),
         "crate" => {
             let form = |found: syn::Error| syn::Error::new(found.span(), wording::crate_form("crate = bica_core"));
             input.parse::<Token![=]>().map_err(form)?;
@@ -88,6 +91,21 @@ fn unknown(key: &Ident, written: &str) -> Mistake {
     let synonym = SYNONYMS.iter().find(|(other, _)| *other == written).map(|(_, option)| *option);
     let nearest = synonym.or_else(|| text::nearest(written, KEYS.into_iter()));
     Mistake::new(key, Code::unknown_key(written, nearest, KNOWN))
+}
+
+/// `= first` or `= last`
+fn writers(input: ParseStream, key: &Ident) -> syn::Result<Writers> {
+    if input.is_empty() || input.peek(Token![,]) {
+        return Err(syn::Error::new(key.span(), wording::WRITERS_FORM));
+    }
+    let form = |found: syn::Error| syn::Error::new(found.span(), wording::WRITERS_FORM);
+    input.parse::<Token![=]>().map_err(form)?;
+    let word = input.call(Ident::parse_any).map_err(form)?;
+    match word.to_string().as_str() {
+        "first" => Ok(Writers::First),
+        "last" => Ok(Writers::Last),
+        _ => Err(syn::Error::new(word.span(), wording::WRITERS_FORM)),
+    }
 }
 
 fn positive(input: ParseStream, key: &Ident, report: &mut Report) -> syn::Result<Option<f32>> {

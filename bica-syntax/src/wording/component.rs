@@ -28,7 +28,9 @@ pub(crate) fn reserved(name: &str) -> String {
 }
 
 // The options.
-pub(crate) const OPTION_FORM: &str = "an option is written `hz = 30`, `budget_us = 40` or `resume`";
+pub(crate) const OPTION_FORM: &str = "an option is written `hz = 30`, `budget_us = 40`, `resume` or `writers = first`";
+pub(crate) const WRITERS_FORM: &str =
+    "of several components that write this one in one cycle one counts: write `writers = first` or `writers = last`";
 pub(crate) const RESUME_VALUE: &str = "`resume` takes no value: write `resume` alone, followed by a comma or nothing";
 pub(crate) const RESUME_WITHOUT_STATES: &str =
     "`resume` is for a state machine, and there is no `#[state]` here: remove it";

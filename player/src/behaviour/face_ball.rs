@@ -56,7 +56,7 @@ pub struct FaceBall {
     error: HeadAngles,
 }
 
-#[component(hz = 30, budget_us = 5)]
+#[component(hz = 30, budget_us = 5, writers = first)]
 impl FaceBall {
     /// Creates the component with the ball not centred.
     #[must_use]

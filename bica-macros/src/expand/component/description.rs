@@ -1,13 +1,13 @@
 //! `impl Component`: what is true of the component in every tree.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 use syn::{GenericParam, Generics, Type, parse_quote};
 
 use super::tuning::Tuning;
 use super::{node, operator, role, work};
 use crate::expand::quoting::{option, runtime};
-use bica_syntax::component::model::{Behaviour, Component, Machine, MachineState};
+use bica_syntax::component::model::{Behaviour, Component, Machine, MachineState, Writers};
 use bica_syntax::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
@@ -20,6 +20,10 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let hz = option(component.options.hz.as_ref());
     let budget_us = option(component.options.budget_us.as_ref());
     let resume = component.options.resume.is_some();
+    let writers = component.options.writers.map(|writers| {
+        let word = Ident::new(if writers == Writers::First { "First" } else { "Last" }, Span::call_site());
+        quote!(const WRITERS: ::core::option::Option<#p::InForce> = ::core::option::Option::Some(#p::InForce::#word);)
+    });
     let states = states(behaviour);
     let tuning = Tuning::of(component).items();
     let operator = operator::descriptions(component);
@@ -35,6 +39,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             const HZ: ::core::option::Option<::core::primitive::f32> = #hz;
             const BUDGET_US: ::core::option::Option<::core::primitive::f32> = #budget_us;
             const RESUME: ::core::primitive::bool = #resume;
+            #writers
             #states
             #tuning
             #operator

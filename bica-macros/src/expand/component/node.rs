@@ -30,6 +30,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
                 hz: <Self as #p::Component>::HZ,
                 budget_us: <Self as #p::Component>::BUDGET_US,
                 resume: <Self as #p::Component>::RESUME,
+                writers: <Self as #p::Component>::WRITERS,
                 links: const {
                     &#p::DistinctLinks::<#count>::of(<Self as #p::MemberOf<__T>>::WRITTEN, <__T as #p::Has<Self>>::INDEX)
                 }.as_slice(),

@@ -22,6 +22,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
             const CYCLE_HZ: ::core::primitive::f32 = #cycle_hz;
             const ACTIVATORS: &'static [::core::primitive::usize] = &#p::activators::<#count>(<Self as #p::Tree>::GRAPH.nodes);
             const WORKS: ::core::primitive::bool = #p::has_work(<Self as #p::Tree>::GRAPH.nodes);
+            const DEFERS: ::core::primitive::bool = #p::deferred(<Self as #p::Tree>::GRAPH.nodes);
             const ORDER: &'static [::core::primitive::u16] = &#p::order(&#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes));
 
             #[inline]
@@ -73,6 +74,15 @@ fn access(tree: &Tree, p: &TokenStream) -> TokenStream {
         fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: ::core::primitive::usize) {
             match index {
                 #(#places => <Self as #p::Has<#kinds>>::visit(cycle),)*
+                _ => {}
+            }
+        }
+
+        fn visit_deferred<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: ::core::primitive::usize) {
+            match index {
+                #(#places => if const { #p::is_deferred::<Self, #kinds>() } {
+                    <Self as #p::Has<#kinds>>::visit_shared(cycle);
+                },)*
                 _ => {}
             }
         }

@@ -17,9 +17,9 @@ use bica_syntax::tree::model::{Entry, Tree};
 
 pub(crate) use stub::stub;
 
-/// Everything of a tree, which stands at this line and column.
-pub(crate) fn expand(tree: &Tree, place: (usize, usize)) -> TokenStream {
-    let (owner, own, new) = (owner::expand(tree, place), owner::own(tree, place), owner::new(tree));
+/// Everything of a tree. `number` distinguishes it from others.
+pub(crate) fn expand(tree: &Tree, number: u64) -> TokenStream {
+    let (owner, own, new) = (owner::expand(tree, number), owner::own(tree, number), owner::new(tree));
     let slots = slots::expand(tree);
     let layout = layout::expand(tree);
     let graph = graph::expand(tree);

@@ -11,9 +11,9 @@ use bica_syntax::tree::model::Tree;
 
 /// The struct in a module of its own. If the user's module has another item of that name, the compiler reports that the name is taken, and
 /// nothing else: all other code uses the struct in its module.
-pub(super) fn expand(tree: &Tree, place: (usize, usize)) -> TokenStream {
+pub(super) fn expand(tree: &Tree, number: u64) -> TokenStream {
     let (attributes, visibility, name, krate) = (&tree.attributes, &tree.visibility, &tree.name, &tree.krate);
-    let (module, inner) = (module(tree, place), inner(visibility, name));
+    let (module, inner) = (module(tree, number), inner(visibility, name));
     let owner = placed(&quote!(struct #name { pub(super) engine: __bica::Engine<#name> }), at(name));
     let import = placed(&quote!(use #module::#name;), at(name));
     quote! {
@@ -31,14 +31,14 @@ pub(super) fn expand(tree: &Tree, place: (usize, usize)) -> TokenStream {
 }
 
 /// The names of the struct and of the crate for all other code: a wrong path gives one message.
-pub(super) fn own(tree: &Tree, place: (usize, usize)) -> TokenStream {
-    let (module, name, p) = (module(tree, place), &tree.name, runtime(tree));
+pub(super) fn own(tree: &Tree, number: u64) -> TokenStream {
+    let (module, name, p) = (module(tree, number), &tree.name, runtime(tree));
     quote!(use #module::{__bica as #p, #name};)
 }
 
 /// The module of the struct.
-fn module(tree: &Tree, (line, column): (usize, usize)) -> Ident {
-    format_ident!("__{}_{line}_{column}", text::name(&tree.name).to_lowercase())
+fn module(tree: &Tree, number: u64) -> Ident {
+    format_ident!("__{}_{number:016x}", text::name(&tree.name).to_lowercase())
 }
 
 /// The visibility of the tree `name`, as seen from a module in the one for which it was written.

@@ -23,7 +23,7 @@ pub struct Motors {
     soft: bool,
 }
 
-#[component(budget_us = 1)]
+#[component(budget_us = 1, writers = first)]
 impl Motors {
     pub(crate) const fn new() -> Self {
         Self { targets: REST, legs: 0.75, soft: false }

@@ -14,7 +14,7 @@ pub(super) fn set(
     value: Option<&str>,
 ) -> Result<Vec<Splice>, Refusal> {
     let component = context.component(component)?;
-    let known = ["hz", "budget_us", "resume"];
+    let known = ["hz", "budget_us", "resume", "writers"];
     if !known.contains(&option) {
         let known = list(known.into_iter());
         return Err(Refusal::new(format!("there is no option `{option}` here: there is {known}")));
