@@ -45,7 +45,8 @@ macro_rules! on_trees {
         on_trees!(
             $(#[$doc])* $module, $stress,
             carried: Carrying, diamond: Diamond, generic: Generic, modulated: Modulated, results: Results,
-            resume: Resume, roles: Asking, swap: Swap, timers: Timers, works: Works
+            resume: Resume, roles: Asking, swap: Swap, timers: Timers, works: Works,
+            writers: Writers
         );
     };
     ($(#[$doc:meta])* $module:ident, $stress:expr, $($name:ident: $tree:ident),*) => {

@@ -1,7 +1,7 @@
 //! Reference model: the rules in the documentation of `bica-core`, written for clarity rather than speed.
 
 use bica::Hold;
-use bica::graph::{End, LinkKind};
+use bica::graph::{End, InForce, LinkKind};
 
 use super::graph::{Comparison, Model};
 
@@ -26,15 +26,23 @@ pub(crate) struct Memory {
     pub(crate) hold: Hold,
     /// The next visit starts the machine in its initial state, as its activator entered a state that waits for its result.
     anew: bool,
+    /// A component with `writers = last` is to be visited at the end of the cycle.
+    put_off: bool,
 }
 
 impl Model {
-    /// Runs one cycle: visits the root, then all components that are held active; then stops the components that were not visited.
+    /// Runs one cycle: visits the root, then all components that are held active, then those that were put off; then stops the components
+    /// that were not visited.
     pub(crate) fn cycle(&mut self) -> Comparison {
         self.visit(self.graph.root)?;
         for index in self.activators_first.clone() {
             if self.memories[index].hold == Hold::Active {
                 self.visit(index)?;
+            }
+        }
+        for index in self.activators_first.clone() {
+            if std::mem::take(&mut self.memories[index].put_off) {
+                self.visit_now(index)?;
             }
         }
         for index in self.activators_first.clone() {
@@ -47,9 +55,18 @@ impl Model {
         Ok(())
     }
 
+    /// Visits a component, or puts its visit off to the end of the cycle.
+    fn visit(&mut self, index: usize) -> Comparison {
+        if self.graph.nodes[index].writers == Some(InForce::Last) {
+            self.memories[index].put_off = true;
+            return Ok(());
+        }
+        self.visit_now(index)
+    }
+
     /// Visits a component: at most once in a cycle, and not if it is held latent. A component that becomes active is
     /// due. The components that it requires are visited before its run, those that it modulates after it.
-    fn visit(&mut self, index: usize) -> Comparison {
+    fn visit_now(&mut self, index: usize) -> Comparison {
         let memory = &mut self.memories[index];
         if memory.visited || memory.hold == Hold::Latent {
             return Ok(());

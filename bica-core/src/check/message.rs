@@ -3,7 +3,8 @@
 use super::frames::parent;
 use super::sum_message::{over_budget, overload, situation};
 use super::wording::{Message, push_given, words};
-use super::{CAPACITY, Number, Output, Path, Violation, Writers};
+use super::worst_case::leading_to;
+use super::{CAPACITY, Choice, Number, Output, Path, Violation, WorstCase, Writers};
 use crate::graph::{Graph, Node};
 
 /// Returns the message for a violation, in one line.
@@ -104,8 +105,20 @@ const fn too_fast(text: &mut Message, graph: &Graph, index: usize) {
     text.push("; lower the component's hz or raise the tree's cycle_hz");
 }
 
-const fn unordered(text: &mut Message, graph: &Graph, child: usize, writers: &Writers) {
-    let (child, first) = (graph.nodes[child].name, graph.nodes[writers.order.get(0)].name);
+/// A case with the states only that matter to the writers of a child.
+const fn meeting(graph: &Graph, child: usize, mut case: WorstCase) -> WorstCase {
+    let (leading, mut index) = (leading_to(graph, child), 0);
+    while index < graph.nodes.len() {
+        if !leading.contains(index) {
+            case.choices[index] = Choice::None;
+        }
+        index += 1;
+    }
+    case
+}
+
+const fn unordered(text: &mut Message, graph: &Graph, index: usize, writers: &Writers) {
+    let (child, first) = (graph.nodes[index].name, graph.nodes[writers.order.get(0)].name);
     let last = graph.nodes[writers.order.get(writers.order.len() - 1)].name;
     words(text, &["`", child, "` is written in one cycle by `", first, "`"]);
     let mut place = 1;
@@ -113,7 +126,7 @@ const fn unordered(text: &mut Message, graph: &Graph, child: usize, writers: &Wr
         words(text, &[", then by `", graph.nodes[writers.order.get(place)].name, "`"]);
         place += 1;
     }
-    situation(text, graph, &writers.case);
+    situation(text, graph, &meeting(graph, index, writers.case));
     words(text, &["; write `#[component(writers = first)]` on `", child, "` if what `", first, "` writes counts"]);
     words(text, &[", `writers = last` if what `", last, "` does, or let one component write it"]);
 }

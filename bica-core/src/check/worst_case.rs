@@ -85,11 +85,20 @@ pub const fn most_writers(graph: &Graph, child: usize, steps: usize) -> WorstCas
     Search::new(graph, Weight::Modulates(child), steps).run()
 }
 
+/// Returns a combination in which at least two components modulate `child` in one cycle, if there is one.
+pub(super) const fn two_writers(graph: &Graph, child: usize, steps: usize) -> WorstCase {
+    Search { enough: 2.0, ..Search::new(graph, Weight::Modulates(child), steps) }.run()
+}
+
 struct Search<'g> {
     graph: &'g Graph,
+    /// A sum with which the search ends.
+    enough: f64,
     transitions: bool,
     /// The child whose writers are counted. What a machine counts then depends on its state.
     child: Option<usize>,
+    /// The components whose states matter to the sum; others stay in their initial state.
+    relevant: Set,
     weights: [f64; CAPACITY],
     /// The nodes, activators first.
     order: [usize; CAPACITY],
@@ -131,8 +140,10 @@ impl<'g> Search<'g> {
         let choices = [Choice::None; CAPACITY];
         Self {
             graph,
+            enough: f64::INFINITY,
             transitions: !matches!(weight, Weight::Load),
             child: if let Weight::Modulates(child) = weight { Some(child) } else { None },
+            relevant: if let Weight::Modulates(child) = weight { leading_to(graph, child) } else { Set::EMPTY },
             weights: weight.of_all(graph),
             order: order(graph.nodes),
             states,
@@ -147,7 +158,7 @@ impl<'g> Search<'g> {
 
     const fn run(mut self) -> WorstCase {
         self.explore(0, Set::EMPTY.with(self.graph.root), 0.0);
-        while self.depth > 0 {
+        while self.depth > 0 && self.best.sum < self.enough {
             let branch = self.branches[self.depth - 1];
             let (choice, links, next) = if self.steps > 0 {
                 self.option(branch.index, branch.next)
@@ -184,7 +195,11 @@ impl<'g> Search<'g> {
             if active.contains(index) {
                 sum += self.weight(index);
                 active = active.union(links_in(&self.graph.nodes[index], None, false));
-                if !self.states[index].is_empty() {
+                if !self.states[index].is_empty() && !self.matters(index) {
+                    let initial = initial(&self.graph.nodes[index]);
+                    self.choices[index] = Choice::State(initial);
+                    active = active.union(links_in(&self.graph.nodes[index], Some(initial), false));
+                } else if !self.states[index].is_empty() {
                     self.branches[self.depth] = Branch { index, place, active, sum, next: 0 };
                     self.depth += 1;
                     return;
@@ -192,6 +207,11 @@ impl<'g> Search<'g> {
             }
         }
         self.best = WorstCase { sum, active, choices: self.choices, exact: true };
+    }
+
+    /// Whether the states of a machine matter to the sum.
+    const fn matters(&self, index: usize) -> bool {
+        self.child.is_none() || self.relevant.contains(index)
     }
 
     /// The weight of a component whatever it does.
@@ -283,6 +303,43 @@ pub(super) const fn modulates_by(node: &Node, choice: Choice, child: usize) -> b
             modulates(node, Some(transition.from), child) || modulates(node, Some(transition.to), child)
         }
     }
+}
+
+/// Index of the state in which a machine begins.
+const fn initial(node: &Node) -> usize {
+    let mut index = 0;
+    while index + 1 < node.states.len() && !node.states[index].initial {
+        index += 1;
+    }
+    index
+}
+
+/// The components that modulate a child, and those that activate one of them, directly or not.
+pub(super) const fn leading_to(graph: &Graph, child: usize) -> Set {
+    let (mut leading, mut changed) = (Set::EMPTY, true);
+    while changed {
+        changed = false;
+        // Activators are mostly listed before what they activate.
+        let mut index = graph.nodes.len();
+        while index > 0 {
+            index -= 1;
+            let node = &graph.nodes[index];
+            if !leading.contains(index) && (modulates(node, None, child) || links_into(node, &leading)) {
+                leading = leading.with(index);
+                changed = true;
+            }
+        }
+    }
+    leading
+}
+
+/// Whether a component activates one of a set in any state.
+const fn links_into(node: &Node, set: &Set) -> bool {
+    let mut link = 0;
+    while link < node.links.len() && !set.contains(node.links[link].to) {
+        link += 1;
+    }
+    link < node.links.len()
 }
 
 /// The nodes sorted by rank; only the first `nodes.len()` entries count.

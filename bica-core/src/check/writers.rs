@@ -1,6 +1,6 @@
 //! Several components that write one child in one cycle.
 
-use super::worst_case::{modulates_by, most_writers};
+use super::worst_case::{modulates_by, most_writers, two_writers};
 use super::{CAPACITY, Choice, Path, Set, WorstCase, steps};
 use crate::graph::{Graph, InForce, Link, LinkKind};
 use crate::tree::deferred::is_last;
@@ -35,10 +35,11 @@ impl Writers {
 /// If there are more than [`CAPACITY`](super::CAPACITY) nodes, or states in one of them.
 #[must_use]
 pub const fn writers(graph: &Graph, child: usize) -> Option<Writers> {
-    if activators(graph, child) < 2 {
-        return None;
-    }
-    let case = most_writers(graph, child, steps(graph));
+    if activators(graph, child) < 2 { None } else { in_case(graph, child, most_writers(graph, child, steps(graph))) }
+}
+
+/// The writers in a case; `None` if it has less than two.
+const fn in_case(graph: &Graph, child: usize, case: WorstCase) -> Option<Writers> {
     if case.sum < 2.0 {
         return None;
     }
@@ -62,7 +63,8 @@ pub(super) const fn unordered(graph: &Graph) -> Option<(usize, Writers)> {
     let mut child = 0;
     while child < graph.nodes.len() {
         if graph.nodes[child].writers.is_none()
-            && let Some(writers) = writers(graph, child)
+            && activators(graph, child) > 1
+            && let Some(writers) = in_case(graph, child, two_writers(graph, child, steps(graph)))
         {
             return Some((child, writers));
         }

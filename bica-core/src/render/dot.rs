@@ -14,8 +14,8 @@ pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
     writeln!(f, "digraph {} {{", quoted(&graph.name))?;
     writeln!(f, "  tooltip={};", quoted(&graph.doc))?;
     f.write_str(STYLE)?;
-    for (index, node) in graph.nodes.iter().enumerate() {
-        component(f, index, node, index == graph.root)?;
+    for index in 0..graph.nodes.len() {
+        component(f, graph, index)?;
     }
     for (from, node) in graph.nodes.iter().enumerate() {
         arrows(node).try_for_each(|to| arrow(f, graph, from, to))?;
@@ -23,11 +23,12 @@ pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
     f.write_str("}\n")
 }
 
-fn component(f: &mut Formatter<'_>, index: usize, node: &Node, root: bool) -> Result {
-    let label = from_fn(|f| write!(f, "{}\n{}", node.name, figures(node)));
+fn component(f: &mut Formatter<'_>, graph: &Graph, index: usize) -> Result {
+    let node = &graph.nodes[index];
+    let label = from_fn(|f| write!(f, "{}\n{}", node.name, figures(graph, index)));
     write!(f, "  n{index} [label={}, tooltip={}", quoted(&label), quoted(&node.doc))?;
     f.write_str(if node.states.is_empty() { "" } else { ", peripheries=2" })?;
-    f.write_str(if root { ", penwidth=2];\n" } else { "];\n" })
+    f.write_str(if index == graph.root { ", penwidth=2];\n" } else { "];\n" })
 }
 
 fn arrow(f: &mut Formatter<'_>, graph: &Graph, from: usize, arrow: Arrow<'_>) -> Result {

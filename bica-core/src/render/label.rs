@@ -3,17 +3,30 @@
 use core::fmt::{Display, Formatter, Result, Write, from_fn};
 
 use super::Arrow;
+use crate::check::{Writers, writers};
 use crate::graph::{Graph, Node, Roles, Transition};
 
-/// Rate and budget: `30 Hz · 40 µs`.
-pub(super) fn figures(node: &Node) -> impl Display {
-    from_fn(|f| {
+/// Rate, budget and writers: `30 Hz · 40 µs · written by Avoid, then Follow; in force: Avoid`.
+pub(super) fn figures(graph: &Graph, index: usize) -> impl Display {
+    from_fn(move |f| {
+        let node = &graph.nodes[index];
         match node.hz {
             Some(hz) => write!(f, "{hz} Hz")?,
             None => f.write_str("every cycle")?,
         }
-        node.budget_us.map_or(Ok(()), |budget| write!(f, " · {budget} µs"))
+        node.budget_us.map_or(Ok(()), |budget| write!(f, " · {budget} µs"))?;
+        let Some(writers) = writers(graph, index) else { return Ok(()) };
+        f.write_str(" · ")?;
+        written(f, graph, &writers)
     })
+}
+
+/// Who writes a component in one cycle, and what counts: `written by Avoid, then Follow; in force: Avoid`.
+fn written(f: &mut Formatter<'_>, graph: &Graph, writers: &Writers) -> Result {
+    for (place, index) in writers.order.iter().enumerate() {
+        write!(f, "{} {}", if place == 0 { "written by" } else { ", then" }, graph.nodes[index].name)?;
+    }
+    write!(f, "; in force: {}", graph.nodes[writers.in_force()].name)
 }
 
 /// The roles of an arrow, and the names of the states in which it holds: `Ball · search, follow`.

@@ -8,8 +8,8 @@ use crate::graph::{Graph, LinkKind, Node, Roles};
 
 pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
     f.write_str("flowchart TD\n")?;
-    for (index, node) in graph.nodes.iter().enumerate() {
-        component(f, index, node)?;
+    for index in 0..graph.nodes.len() {
+        component(f, graph, index)?;
     }
     for (from, node) in graph.nodes.iter().enumerate() {
         arrows(node).try_for_each(|to| arrow(f, graph, from, to))?;
@@ -18,9 +18,10 @@ pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
 }
 
 /// A round box, with double sides for a machine.
-fn component(f: &mut Formatter<'_>, index: usize, node: &Node) -> Result {
+fn component(f: &mut Formatter<'_>, graph: &Graph, index: usize) -> Result {
+    let node = &graph.nodes[index];
     let (open, close) = if node.states.is_empty() { ("(\"", "\")") } else { ("[[\"", "\"]]") };
-    writeln!(f, "  n{index}{open}{}<br/>{}{close}", escaped(&node.name), escaped(&figures(node)))
+    writeln!(f, "  n{index}{open}{}<br/>{}{close}", escaped(&node.name), escaped(&figures(graph, index)))
 }
 
 fn arrow(f: &mut Formatter<'_>, graph: &Graph, from: usize, arrow: Arrow<'_>) -> Result {

@@ -94,8 +94,8 @@ fn check_tree(graph: &Graph) {
     let statements = statements(&graph.dot().to_string());
     let boxes = of_boxes(&statements, "n");
     let labels: Vec<_> = boxes.iter().map(|attributes| attributes["label"].clone()).collect();
-    let expected = drawn::names(graph).into_iter().zip(graph.nodes);
-    let expected: Vec<_> = expected.map(|(name, node)| name + "\n" + &drawn::figures(node)).collect();
+    let expected = drawn::names(graph).into_iter().enumerate();
+    let expected: Vec<_> = expected.map(|(index, name)| name + "\n" + &drawn::figures(graph, index)).collect();
     let unbroken = |labels: Vec<String>| labels.into_iter().map(|label| label.replace('\n', " ")).collect::<Vec<_>>();
     assert_eq!(unbroken(labels), unbroken(expected));
     for (index, attributes) in boxes.iter().enumerate() {

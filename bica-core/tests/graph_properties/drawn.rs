@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use bica_core::check::writers;
 use bica_core::graph::{Graph, LinkKind, Node};
 
 /// Text as a drawing can show it.
@@ -12,9 +13,16 @@ fn shown(text: &str) -> String {
 /// Arrow: from, to, whether it is dashed, label.
 pub(crate) type Arrow = (usize, usize, bool, String);
 
-pub(crate) fn figures(node: &Node) -> String {
+pub(crate) fn figures(graph: &Graph, index: usize) -> String {
+    let node = &graph.nodes[index];
     let rate = node.hz.map_or("every cycle".into(), |hz| format!("{hz} Hz"));
-    rate + &node.budget_us.map_or(String::new(), |budget| format!(" · {budget} µs"))
+    let budget = node.budget_us.map_or(String::new(), |budget| format!(" · {budget} µs"));
+    let written = writers(graph, index).map_or(String::new(), |writers| {
+        let names: Vec<_> = writers.order.iter().map(|index| shown(graph.nodes[index].name)).collect();
+        let in_force = shown(graph.nodes[writers.in_force()].name);
+        format!(" · written by {}; in force: {in_force}", names.join(", then "))
+    });
+    rate + &budget + &written
 }
 
 pub(crate) fn names(graph: &Graph) -> Vec<String> {

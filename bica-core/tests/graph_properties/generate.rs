@@ -1,6 +1,6 @@
 //! Random graphs.
 
-use bica_core::graph::{Doc, Graph, Link, LinkKind, Node, Roles, State, Transition};
+use bica_core::graph::{Doc, Graph, InForce, Link, LinkKind, Node, Roles, State, Transition};
 use proptest::prelude::*;
 
 use crate::graph_properties::build;
@@ -12,6 +12,7 @@ struct Draft {
     hz: Option<u32>,
     links: Vec<(prop::sample::Index, bool, Option<prop::sample::Index>)>,
     states: usize,
+    writers: Option<InForce>,
     transitions: Vec<(prop::sample::Index, prop::sample::Index)>,
 }
 
@@ -22,13 +23,15 @@ fn draft() -> impl Strategy<Value = Draft> {
         prop::option::of(1..=100_u32),
         prop::collection::vec((index(), any::<bool>(), prop::option::weighted(0.8, index())), 0..6),
         prop_oneof![1 => Just(0_usize), 2 => 1..4_usize],
+        prop_oneof![Just(None), Just(Some(InForce::First)), Just(Some(InForce::Last))],
         prop::collection::vec((index(), index()), 0..5),
     )
-        .prop_map(|(budget_us, hz, links, states, transitions)| Draft {
+        .prop_map(|(budget_us, hz, links, states, writers, transitions)| Draft {
             budget_us,
             hz,
             links,
             states,
+            writers,
             transitions,
         })
 }
@@ -74,6 +77,7 @@ fn node(draft: &Draft, to: impl Fn(&prop::sample::Index) -> Option<usize>) -> No
     Node {
         budget_us: draft.budget_us.map(|budget| budget as f32),
         hz: draft.hz.map(|hz| hz as f32),
+        writers: draft.writers,
         links: links.collect::<Vec<_>>().leak(),
         states: states.collect::<Vec<_>>().leak(),
         transitions: ways.collect::<Vec<Transition>>().leak(),

@@ -49,8 +49,8 @@ fn check_tree(graph: &Graph) {
     let mut lines = text.lines();
     assert_eq!(lines.next(), Some("flowchart TD"));
     let components = lines.by_ref().take(graph.nodes.len()).map(|line| component(line).expect(line));
-    let expected = graph.nodes.iter().zip(drawn::names(graph));
-    let expected = expected.map(|(node, name)| (name, drawn::figures(node), !node.states.is_empty()));
+    let expected = graph.nodes.iter().zip(drawn::names(graph)).enumerate();
+    let expected = expected.map(|(index, (node, name))| (name, drawn::figures(graph, index), !node.states.is_empty()));
     assert_eq!(components.collect::<Vec<_>>(), expected.collect::<Vec<_>>());
     let arrows = lines.by_ref().take(drawn::arrows(graph).len()).map(|line| arrow(line).expect(line));
     assert_eq!(arrows.collect::<BTreeSet<_>>(), drawn::arrows(graph));

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use bica_core::check::Choice;
-use bica_core::graph::{Graph, LinkKind, Node};
+use bica_core::check::{CAPACITY, Choice, ranks};
+use bica_core::graph::{Graph, InForce, LinkKind, Node};
 use petgraph::graph::{DiGraph, NodeIndex};
 use petgraph::visit::Dfs;
 
@@ -97,6 +97,66 @@ pub(crate) fn most_writers(graph: &Graph, child: usize) -> usize {
     };
     let count = |picked: &[Choice]| active(graph, picked).iter().filter(|&&node| modulates(node, picked[node])).count();
     largest(graph, true, |picked| count(picked) as f64) as usize
+}
+
+/// The components that modulate a child, in the order in which they run if every component has its given behaviour, and how many of them
+/// run before the child.
+pub(crate) fn writers(graph: &Graph, choices: &[Choice], child: usize) -> (Vec<usize>, usize) {
+    let (mut order, mut put_off) = (Vec::new(), BTreeSet::new());
+    let mut visited = vec![false; graph.nodes.len()];
+    visit(graph, choices, graph.root, &mut (&mut order, &mut visited, &mut put_off));
+    // Whatever is put off while this goes on comes after what puts it off.
+    let ranks: [usize; CAPACITY] = ranks(graph.nodes);
+    while let Some(next) = put_off.iter().copied().min_by_key(|index| ranks[*index]) {
+        put_off.remove(&next);
+        visit(graph, choices, next, &mut (&mut order, &mut visited, &mut put_off));
+    }
+    let of_child = |index: &usize| {
+        let link = |link: &&bica_core::graph::Link| link.to == child && link.kind == LinkKind::Modulation;
+        graph.nodes[*index].links.iter().filter(link).any(|link| match (link.state, choices[*index]) {
+            (None, _) | (Some(_), Choice::None | Choice::Any) => true,
+            (Some(of), Choice::State(state)) => of == state,
+            (Some(of), Choice::Transition(transition)) => {
+                let transition = &graph.nodes[*index].transitions[transition];
+                of == transition.from || of == transition.to
+            }
+        })
+    };
+    let until = order.iter().position(|index| *index == child).unwrap_or(0);
+    let before = order[..until].iter().filter(|index| of_child(index)).count();
+    (order.into_iter().filter(of_child).collect(), before)
+}
+
+type Run<'a> = (&'a mut Vec<usize>, &'a mut Vec<bool>, &'a mut BTreeSet<usize>);
+
+fn visit(graph: &Graph, choices: &[Choice], index: usize, run: &mut Run<'_>) {
+    if std::mem::replace(&mut run.1[index], true) {
+        return;
+    }
+    let (from, to) = match choices[index] {
+        Choice::State(state) => (Some(state), Some(state)),
+        Choice::Transition(transition) => {
+            let transition = &graph.nodes[index].transitions[transition];
+            (Some(transition.from), Some(transition.to))
+        }
+        Choice::None | Choice::Any => (None, None),
+    };
+    let mut children = |kind: LinkKind, state: Option<usize>, run: &mut Run<'_>| {
+        let holds = |link: &&bica_core::graph::Link| {
+            link.kind == kind && (link.state.is_none() || state.is_none() || link.state == state)
+        };
+        for link in graph.nodes[index].links.iter().filter(holds) {
+            if graph.nodes[link.to].writers == Some(InForce::Last) {
+                run.2.insert(link.to);
+            } else {
+                visit(graph, choices, link.to, run);
+            }
+        }
+    };
+    children(LinkKind::Requirement, from, run);
+    children(LinkKind::Requirement, to, run);
+    run.0.push(index);
+    children(LinkKind::Modulation, to, run);
 }
 
 fn largest(graph: &Graph, transitions: bool, value: impl Fn(&[Choice]) -> f64) -> f64 {

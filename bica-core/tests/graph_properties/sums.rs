@@ -81,8 +81,27 @@ proptest! {
         let found = most_writers(&graph, child, STEPS);
         prop_assert!(found.exact);
         prop_assert_eq!(found.sum as usize, naive::most_writers(&graph, child));
-        let listed = writers(&graph, child).map_or(0, |writers| writers.order.len());
-        prop_assert_eq!(listed, if found.sum < 2.0 { 0 } else { found.sum as usize });
+        let listed = writers(&graph, child);
+        let count = listed.map_or(0, |writers| writers.order.len());
+        prop_assert_eq!(count, if found.sum < 2.0 { 0 } else { found.sum as usize });
+        if let Some(listed) = listed {
+            let expected = naive::writers(&graph, &listed.case.choices, child);
+            prop_assert_eq!((listed.order.iter().collect(), listed.before), expected);
+        }
+    }
+
+    #[test]
+    fn several_writers_ask_for_a_word(graph in acyclic_graph(5)) {
+        // Budgets and rates have no other violations then.
+        let nodes: Vec<_> = graph.nodes.iter().map(|node| Node { budget_us: None, hz: None, ..*node }).collect();
+        let graph = Graph { nodes: nodes.leak(), ..graph };
+        let open = |child: &usize| graph.nodes[*child].writers.is_none() && naive::most_writers(&graph, *child) > 1;
+        match first_violation(&graph) {
+            Some(Violation::Unreachable(_)) => {}
+            Some(Violation::Unordered(child, _)) => prop_assert_eq!((0..graph.nodes.len()).find(open), Some(child)),
+            None => prop_assert_eq!((0..graph.nodes.len()).find(open), None),
+            Some(other) => prop_assert!(false, "{:?}", other),
+        }
     }
 
     #[test]

@@ -50,7 +50,7 @@ pub struct LookAround {
     side: f32,
 }
 
-#[component(hz = 50, budget_us = 5)]
+#[component(hz = 50, budget_us = 5, writers = first)]
 impl LookAround {
     /// Creates the component with the left side first.
     #[must_use]

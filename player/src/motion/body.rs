@@ -34,7 +34,7 @@ pub enum Request {
     Step(Velocity),
 }
 
-#[component(hz = 50, budget_us = 5)]
+#[component(hz = 50, budget_us = 5, writers = first)]
 impl Body {
     /// Creates the component in the stand.
     #[must_use]

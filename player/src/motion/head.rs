@@ -41,7 +41,7 @@ pub struct Head {
     arrived: bool,
 }
 
-#[component(budget_us = 3)]
+#[component(budget_us = 3, writers = first)]
 impl Head {
     /// Creates the component with the head straight ahead.
     #[must_use]

@@ -65,7 +65,7 @@ pub struct Walk {
     request: Velocity,
 }
 
-#[component(budget_us = 20)]
+#[component(budget_us = 20, writers = first)]
 impl Walk {
     /// Creates the component in the stand.
     #[must_use]

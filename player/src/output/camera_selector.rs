@@ -9,7 +9,7 @@ pub struct CameraSelector {
     camera: CameraId,
 }
 
-#[component(budget_us = 1)]
+#[component(budget_us = 1, writers = first)]
 impl CameraSelector {
     /// Creates the component with the top camera selected.
     #[must_use]

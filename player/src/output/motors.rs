@@ -28,7 +28,7 @@ pub struct Motors {
     commanded: JointCommand,
 }
 
-#[component(budget_us = 1)]
+#[component(budget_us = 1, writers = first)]
 impl Motors {
     /// Creates the component with all joints without stiffness until the first targets are written.
     #[must_use]

@@ -29,7 +29,7 @@ unit!(Far(hz = 30) {
     }
 });
 
-unit!(Shared(hz = 25) {
+unit!(Shared(hz = 25, writers = first) {
     fn step(&mut self, time: &Time) {
         self.unit.body("", time, [], []);
     }

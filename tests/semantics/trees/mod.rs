@@ -10,3 +10,4 @@ pub(crate) mod roles;
 pub(crate) mod swap;
 pub(crate) mod timers;
 pub(crate) mod works;
+pub(crate) mod writers;

@@ -1,4 +1,4 @@
-//! Trees that cannot run: cycles, components that nothing activates, rates and budgets.
+//! Trees that cannot run: cycles, components that nothing activates, rates and budgets, children of several writers.
 
 use bica::prelude::*;
 
@@ -70,6 +70,50 @@ activation_tree! {
 
 activation_tree! {
     struct Inactive { root: Arm, cycle_hz: 100, components: [Arm, Player] }
+}
+
+struct Wheels;
+#[component]
+impl Wheels {
+    const fn new() -> Self { Self }
+}
+
+struct Avoid;
+#[component]
+impl Avoid {
+    const fn new() -> Self { Self }
+
+    fn step(&mut self, wheels: &mut Wheels) {}
+}
+
+struct Follow;
+#[component]
+impl Follow {
+    const fn new() -> Self { Self }
+
+    #[state(initial)]
+    fn search(&mut self) {}
+
+    #[state]
+    fn chase(&mut self, wheels: &mut Wheels) {}
+
+    #[transition(search -> chase)]
+    fn seen(&self) -> bool { true }
+
+    #[transition(chase -> search)]
+    fn lost(&self) -> bool { true }
+}
+
+struct Pilot;
+#[component]
+impl Pilot {
+    const fn new() -> Self { Self }
+
+    fn step(&mut self, avoid: &mut Avoid, follow: &mut Follow) {}
+}
+
+activation_tree! {
+    struct TwoWriters { root: Pilot, cycle_hz: 100, components: [Pilot, Avoid, Follow, Wheels] }
 }
 
 fn main() {

@@ -69,7 +69,9 @@ fn notes(graph: &Graph) -> Vec<String> {
 
 /// Returns who writes a child in one cycle, if several do.
 fn written(graph: &Graph, child: usize) -> Option<String> {
-    let Writers { order, before, case } = writers(graph, child)?;
+    let found = writers(graph, child)?;
+    let in_force = graph.nodes[found.in_force()].name;
+    let Writers { order, case, .. } = found;
     let names: Vec<String> = order.iter().map(|index| format!("`{}`", graph.nodes[index].name)).collect();
     let of_machine = |index: usize| {
         let (node, what) = (&graph.nodes[index], case.choices[index]);
@@ -83,11 +85,8 @@ fn written(graph: &Graph, child: usize) -> Option<String> {
     };
     let machines: Vec<String> = (0..graph.nodes.len()).filter_map(of_machine).collect();
     let when = if machines.is_empty() { "always".to_owned() } else { format!("while {}", machines.join(", ")) };
-    let runs = before.checked_sub(1).map_or_else(|| "before them".to_owned(), |last| format!("after {}", names[last]));
     let (child, names) = (graph.nodes[child].name, names.join(", then "));
-    Some(format!(
-        "`{child}` is written in one cycle by {names}, {when}; it runs {runs}, with what was written until then"
-    ))
+    Some(format!("`{child}` is written in one cycle by {names}, {when}; in force: `{in_force}`"))
 }
 
 /// Returns a tree as JSON. It is compiled here, and not once more for each robot.

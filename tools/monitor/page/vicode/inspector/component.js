@@ -7,7 +7,7 @@ import { renameUsed } from '../rename.js';
 import { change, edit, model } from '../sources.js';
 import { Docs, Name, addHook } from './fields.js';
 
-const OPTIONS = [['hz', 'rate', 'Hz'], ['budget_us', 'budget', 'µs']];
+const OPTIONS = [['hz', 'rate', 'Hz'], ['budget_us', 'budget', 'µs'], ['writers', 'of several writers', 'first or last']];
 
 export function ComponentFields({ machine }) {
   const { component, name } = machine;
