@@ -226,7 +226,7 @@ struct Hardware {
     holds: bool,
 }
 
-#[component]
+#[component(writers = first)]
 impl Hardware {
     const fn new() -> Self {
         Self { waiting: None, posture: [1.5, 0.0, 0.0], requested: [1.5, 0.0, 0.0], closed: false, holds: false }

@@ -19,7 +19,7 @@ pub use crate::place::{Axis, Hint};
 pub use crate::probe::Probe;
 pub use crate::rate::Rate;
 pub use crate::role::{
-    Checked, Fills, Provide, ProvidedBy, Role, RoleName, assert_asked, assert_filled, assert_provided, assert_role,
+    Checked, Fills, Named, Provide, ProvidedBy, Role, RoleName, Unnamed, assert_asked, assert_filled, assert_provided,
 };
 pub use crate::tree::borrow::{Read, Slot, Write, WriteRate};
 pub use crate::tree::component_state::ComponentState;

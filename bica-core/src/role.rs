@@ -1,5 +1,7 @@
 //! Roles: what a component needs of another one, without naming it.
 
+use core::marker::PhantomData;
+
 use crate::graph::{Graph, Link};
 use crate::params::declare::equal;
 use crate::text::Text;
@@ -55,11 +57,24 @@ pub trait Role {
     const NAME: RoleName;
 }
 
+/// What has the name of the type `R`. An inherent constant with a bound precedes one of a trait.
+pub struct Named<R: ?Sized>(PhantomData<*const R>);
+
+impl<R: ?Sized + Role> Named<R> {
+    /// The name of the role.
+    pub const NAME: RoleName = R::NAME;
+}
+
+/// The name of what is no role, which the component reports that asks for it.
+pub trait Unnamed {
+    /// No name.
+    const NAME: RoleName = RoleName { module: "", name: "" };
+}
+
+impl<R: ?Sized> Unnamed for Named<R> {}
+
 /// Component `P` implements the trait of the role `Self`.
 pub trait ProvidedBy<P> {}
-
-/// Fails to compile unless `R` is a role.
-pub const fn assert_role<R: ?Sized + Role>() {}
 
 /// The provider of a role, if it was checked. If the check failed, the compiler does not ask for its trait again.
 pub struct Checked<const IS_CHECKED: bool>;
@@ -108,9 +123,7 @@ pub const fn assert_filled(tree: &str, filled: &[RoleName], components: &[(&str,
     while component < components.len() {
         let (asked, mut role) = (components[component].1, 0);
         while role < asked.len() {
-            if !asked[role].is_in(filled) {
-                panic!("{}", lack(tree, asked[role], components).as_str());
-            }
+            assert!(asked[role].is_in(filled), "{}", lack(tree, asked[role], components).as_str());
             role += 1;
         }
         component += 1;

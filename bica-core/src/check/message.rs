@@ -4,6 +4,7 @@ use super::frames::parent;
 use super::sum_message::{over_budget, overload, situation};
 use super::wording::{Message, push_given, words};
 use super::worst_case::leading_to;
+use super::writers::meeting;
 use super::{CAPACITY, Choice, Number, Output, Path, Violation, WorstCase, Writers};
 use crate::graph::{Graph, Node};
 
@@ -20,7 +21,11 @@ pub const fn message(graph: &Graph, violation: &Violation) -> Message {
         Violation::TooFast(index) => too_fast(&mut text, graph, *index),
         Violation::OverBudget(chain) => over_budget(&mut text, graph, chain),
         Violation::Overload(load) => overload(&mut text, graph, load),
-        Violation::Unordered(child, writers) => unordered(&mut text, graph, *child, writers),
+        Violation::Unordered(child) => {
+            if let Some(writers) = meeting(graph, *child) {
+                unordered(&mut text, graph, *child, &writers);
+            }
+        }
         Violation::TwoPlaces(first, second) => two_places(&mut text, graph, *first, *second),
         Violation::FrameCycle(output) => frame_cycle(&mut text, graph, *output),
     }
@@ -106,7 +111,8 @@ const fn too_fast(text: &mut Message, graph: &Graph, index: usize) {
 }
 
 /// A case with the states only that matter to the writers of a child.
-const fn meeting(graph: &Graph, child: usize, mut case: WorstCase) -> WorstCase {
+const fn relevant(graph: &Graph, child: usize, case: &WorstCase) -> WorstCase {
+    let mut case = *case;
     let (leading, mut index) = (leading_to(graph, child), 0);
     while index < graph.nodes.len() {
         if !leading.contains(index) {
@@ -126,7 +132,7 @@ const fn unordered(text: &mut Message, graph: &Graph, index: usize, writers: &Wr
         words(text, &[", then by `", graph.nodes[writers.order.get(place)].name, "`"]);
         place += 1;
     }
-    situation(text, graph, &meeting(graph, index, writers.case));
+    situation(text, graph, &relevant(graph, index, &writers.case));
     words(text, &["; write `#[component(writers = first)]` on `", child, "` if what `", first, "` writes counts"]);
     words(text, &[", `writers = last` if what `", last, "` does, or let one component write it"]);
 }

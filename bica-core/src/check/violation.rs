@@ -3,7 +3,7 @@
 use super::frames::{frame_cycle, two_places};
 use super::weight::hz;
 use super::writers::unordered;
-use super::{CAPACITY, Output, Path, WorstCase, Writers, cycle, load, longest_chain, steps, unreachable};
+use super::{CAPACITY, Output, Path, WorstCase, cycle, load, longest_chain, steps, unreachable};
 use crate::graph::{Graph, Node};
 
 /// A broken rule.
@@ -26,7 +26,7 @@ pub enum Violation {
     /// The active components need more than a whole processor; see [`load`].
     Overload(WorstCase),
     /// A component, by index, that several can write in one cycle, and that does not say which of them counts; see [`writers()`](super::writers()).
-    Unordered(usize, Writers),
+    Unordered(usize),
     /// Two outputs that are the place of one frame.
     TwoPlaces(Output, Output),
     /// An output that places a frame in itself, directly or by other frames.
@@ -68,8 +68,8 @@ pub const fn first_violation(graph: &Graph) -> Option<Violation> {
     if let Some(index) = too_fast(graph) {
         return Some(Violation::TooFast(index));
     }
-    if let Some((child, writers)) = unordered(graph) {
-        return Some(Violation::Unordered(child, writers));
+    if let Some(child) = unordered(graph) {
+        return Some(Violation::Unordered(child));
     }
     if let Some((first, second)) = two_places(graph) {
         return Some(Violation::TwoPlaces(first, second));

@@ -35,15 +35,37 @@ impl Writers {
 /// If there are more than [`CAPACITY`](super::CAPACITY) nodes, or states in one of them.
 #[must_use]
 pub const fn writers(graph: &Graph, child: usize) -> Option<Writers> {
-    if activators(graph, child) < 2 { None } else { in_case(graph, child, most_writers(graph, child, steps(graph))) }
-}
-
-/// The writers in a case; `None` if it has less than two.
-const fn in_case(graph: &Graph, child: usize, case: WorstCase) -> Option<Writers> {
-    if case.sum < 2.0 {
+    if activators(graph, child) < 2 {
         return None;
     }
-    let runs = Runs::of(graph, &case);
+    let case = most_writers(graph, child, steps(graph));
+    if case.sum < 2.0 { None } else { Some(in_case(graph, child, &case)) }
+}
+
+/// Returns the writers of a case in which several write a child that does not say which of them counts.
+pub(super) const fn meeting(graph: &Graph, child: usize) -> Option<Writers> {
+    if graph.nodes[child].writers.is_some() || activators(graph, child) < 2 {
+        return None;
+    }
+    let case = two_writers(graph, child, steps(graph));
+    if case.sum < 2.0 { None } else { Some(in_case(graph, child, &case)) }
+}
+
+/// Returns the first child that several components can write in one cycle and that does not say which of them counts.
+pub(super) const fn unordered(graph: &Graph) -> Option<usize> {
+    let mut child = 0;
+    while child < graph.nodes.len() {
+        if meeting(graph, child).is_some() {
+            return Some(child);
+        }
+        child += 1;
+    }
+    None
+}
+
+/// The writers in a case.
+const fn in_case(graph: &Graph, child: usize, case: &WorstCase) -> Writers {
+    let runs = Runs::of(graph, case);
     let (mut order, mut before, mut place) = (Path::EMPTY, 0, 0);
     while place < runs.order.len() {
         let index = runs.order.get(place);
@@ -54,23 +76,7 @@ const fn in_case(graph: &Graph, child: usize, case: WorstCase) -> Option<Writers
         }
         place += 1;
     }
-    Some(Writers { order, before, case })
-}
-
-/// Returns the first child that several components can write in one cycle and that does not say which of them counts.
-#[must_use]
-pub(super) const fn unordered(graph: &Graph) -> Option<(usize, Writers)> {
-    let mut child = 0;
-    while child < graph.nodes.len() {
-        if graph.nodes[child].writers.is_none()
-            && activators(graph, child) > 1
-            && let Some(writers) = in_case(graph, child, two_writers(graph, child, steps(graph)))
-        {
-            return Some((child, writers));
-        }
-        child += 1;
-    }
-    None
+    Writers { order, before, case: *case }
 }
 
 /// Number of components that modulate a child in any state.

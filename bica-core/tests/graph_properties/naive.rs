@@ -141,7 +141,7 @@ fn visit(graph: &Graph, choices: &[Choice], index: usize, run: &mut Run<'_>) {
         }
         Choice::None | Choice::Any => (None, None),
     };
-    let mut children = |kind: LinkKind, state: Option<usize>, run: &mut Run<'_>| {
+    let children = |kind: LinkKind, state: Option<usize>, run: &mut Run<'_>| {
         let holds = |link: &&bica_core::graph::Link| {
             link.kind == kind && (link.state.is_none() || state.is_none() || link.state == state)
         };

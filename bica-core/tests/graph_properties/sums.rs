@@ -98,7 +98,7 @@ proptest! {
         let open = |child: &usize| graph.nodes[*child].writers.is_none() && naive::most_writers(&graph, *child) > 1;
         match first_violation(&graph) {
             Some(Violation::Unreachable(_)) => {}
-            Some(Violation::Unordered(child, _)) => prop_assert_eq!((0..graph.nodes.len()).find(open), Some(child)),
+            Some(Violation::Unordered(child)) => prop_assert_eq!((0..graph.nodes.len()).find(open), Some(child)),
             None => prop_assert_eq!((0..graph.nodes.len()).find(open), None),
             Some(other) => prop_assert!(false, "{:?}", other),
         }
@@ -124,7 +124,7 @@ proptest! {
         let time = naive::worst(&graph, &budgets(&graph), true);
         let share = naive::worst(&graph, &loads(&graph), false);
         match first_violation(&graph) {
-            Some(Violation::Unreachable(_) | Violation::Unordered(..)) => {}
+            Some(Violation::Unreachable(_) | Violation::Unordered(_)) => {}
             Some(Violation::OverBudget(found)) => prop_assert!(time > f64::from(budget_us) && close(found.sum, time)),
             Some(Violation::Overload(found)) => prop_assert!(time <= f64::from(budget_us) && share > 1.0 && found.exact),
             None => prop_assert!(time <= f64::from(budget_us) && share <= 1.0),

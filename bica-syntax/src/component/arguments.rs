@@ -154,6 +154,7 @@ fn owned(path: &TypePath, form: Form, report: &mut Report) -> Option<Argument> {
         "Work" => wording::WORK_ARGUMENT.to_owned(),
         "Tuned" => wording::owned_tuned(&written),
         _ if form == Form::Condition => wording::owned_condition(&written),
+        _ if form == Form::Entry => wording::owned_entry(&written),
         _ => wording::owned(&written),
     };
     report.add(path, problem);

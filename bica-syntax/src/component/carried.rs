@@ -1,7 +1,9 @@
 //! What transitions carry to the states that they enter: each of them what its state takes.
 
 use proc_macro2::Ident;
+use syn::{FnArg, Type};
 
+use super::found;
 use super::model::{Component, Found, Function, Hook, Machine, Transition};
 use crate::report::Report;
 use crate::{text, wording};
@@ -15,7 +17,7 @@ pub(super) fn check(component: &Component, machine: &Machine, report: &mut Repor
         }
     }
     for transition in &component.transitions {
-        agreed(machine, transition, report);
+        agreed(component, machine, transition, report);
     }
 }
 
@@ -45,7 +47,7 @@ fn initial(machine: &Machine, hook: &Hook, found: &Found, report: &mut Report) {
 }
 
 /// Reports a transition that carries nothing to a state that takes something, or the reverse.
-fn agreed(machine: &Machine, transition: &Transition, report: &mut Report) {
+fn agreed(component: &Component, machine: &Machine, transition: &Transition, report: &mut Report) {
     let Transition { function: condition, arrow, .. } = transition;
     let Some(state) = machine.states.iter().find(|state| is(&state.body.name, &arrow.to)) else { return };
     let (name, to) = (text::name(&condition.name), text::name(&arrow.to));
@@ -57,9 +59,20 @@ fn agreed(machine: &Machine, transition: &Transition, report: &mut Report) {
         (Some((hook, found)), None) => {
             report.add(&arrow.to, wording::carries_nothing(&name, &to, &hook, &text::written(&found.of)));
         }
+        // A wrong argument that was to take the value has its own message.
+        (None, Some(of)) if !report.is_empty() && is_tried(component, of) => {}
         (None, Some(of)) => report.add(&arrow.to, wording::takes_nothing(&name, &to, &text::written(of))),
         _ => {}
     }
+}
+
+/// Whether a function has an argument that was meant to be what a transition found.
+fn is_tried(component: &Component, of: &Type) -> bool {
+    let of = text::written(of);
+    let is_meant = |kind: &Type| found::is_found(kind) || text::written(kind) == of;
+    let mut functions = component.block.functions();
+    functions
+        .any(|one| one.signature.inputs.iter().any(|input| matches!(input, FnArg::Typed(one) if is_meant(&one.ty))))
 }
 
 fn is(one: &Ident, other: &Ident) -> bool {

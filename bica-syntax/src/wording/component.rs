@@ -226,6 +226,7 @@ messages! {
     rate(of) = "a rate is modulated, not read: write `&mut Rate<{of}>`";
     owned(written) = "a component is borrowed: write `&{written}` to read it or `&mut {written}` to modulate it";
     owned_condition(written) = "a component is borrowed: write `&{written}`";
+    owned_entry(written) = "write `Found<{written}>` to take what a transition found, or borrow a component: `&{written}` or `&mut {written}`";
     owned_time(written) = "the time is borrowed: write `&{written}`";
     owned_rate(written) = "a rate is borrowed to be modulated: write `&mut {written}`";
     value(written) =

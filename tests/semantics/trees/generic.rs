@@ -56,7 +56,7 @@ pub(crate) struct Lens<const N: usize> {
     pub(crate) unit: Unit,
 }
 
-#[component(hz = 40)]
+#[component(hz = 40, writers = first)]
 impl<const N: usize> Lens<N> {
     pub(crate) const fn new() -> Self {
         Self {

@@ -92,7 +92,7 @@ unit!(Helper(hz = 40) {
     }
 });
 
-unit!(Reach() {
+unit!(Reach(writers = first) {
     #[state(initial)]
     fn go(&mut self, time: &Time) {
         self.unit.body("go", time, [], []);

@@ -76,7 +76,7 @@ unit!(Both(hz = 30) {
     }
 });
 
-unit!(Motor() {
+unit!(Motor(writers = first) {
     fn step(&mut self, time: &Time) {
         self.unit.body("", time, [], []);
     }

@@ -36,9 +36,8 @@ pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let is_free = component.block.functions().all(|function| text::name(&function.signature.ident) != "step");
     let no_step = (is_free && is_whole(component)).then(|| no_step(component));
     let own_fields = component.block.header.generics.params.is_empty().then(|| no_params(component));
-    let roles = role::checks(component);
     let timers = Tuning::checks(component);
-    let items = quote!(pub struct __Block; #description #member #work #own_fields #roles #timers);
+    let items = quote!(pub struct __Block; #description #member #work #own_fields #timers);
     let traits = enclosed(&component.options.krate, &items);
     quote!(#block #traits #no_step)
 }

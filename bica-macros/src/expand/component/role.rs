@@ -32,20 +32,14 @@ pub(super) fn index(p: &TokenStream, kind: &Type) -> TokenStream {
     option(role_of(kind).map(|role| quote!(<__T as #p::Fills<dyn #role>>::ROLE)).as_ref())
 }
 
-/// Assertions that the traits in the arguments are roles, each once.
-pub(super) fn checks(component: &Component) -> TokenStream {
-    let p = runtime();
-    let assertions = of(component).map(|role| {
-        let p = placed(&p, at(role));
-        quote_spanned!(at(role) => const _: () = #p::assert_role::<dyn #role>();)
-    });
-    assertions.collect()
-}
-
-/// The constant with the names of the roles, if there are any.
+/// The constant with the names of the roles, if there are any. It is the one place that requires that the traits are roles.
 pub(super) fn names(component: &Component) -> Option<TokenStream> {
     let p = runtime();
-    let names: Vec<_> = of(component).map(|role| quote!(<dyn #role as #p::Role>::NAME)).collect();
+    let name = |role| {
+        let p = placed(&p, at(role));
+        quote_spanned!(at(role) => <dyn #role as #p::Role>::NAME)
+    };
+    let names: Vec<_> = of(component).map(name).collect();
     (!names.is_empty()).then(|| quote!(const ROLES: &'static [#p::RoleName] = &[#(#names),*];))
 }
 

@@ -40,7 +40,7 @@ fn filled(tree: &Tree) -> TokenStream {
     let names = tree.components.iter().map(|entry| text::written(&entry.kind));
     let roles = tree.roles.iter().map(|entry| {
         let (role, p) = (&entry.role, placed(&p, at(&entry.role)));
-        quote_spanned!(at(role) => <dyn #role as #p::Role>::NAME)
+        quote_spanned!(at(role) => { use #p::Unnamed as _; <#p::Named<dyn #role>>::NAME })
     });
     let asked = kinds.iter().map(|kind| {
         let p = placed(&p, at(kind));
