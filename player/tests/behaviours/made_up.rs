@@ -214,7 +214,7 @@ pub(crate) struct Feet {
     pub(crate) is_still: bool,
 }
 
-#[component]
+#[component(writers = first)]
 impl Feet {
     pub(crate) const fn new() -> Self {
         Self { request: Request::Stand, kick: None, is_still: false }
