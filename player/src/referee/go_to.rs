@@ -81,7 +81,7 @@ pub struct GoTo {
     next: Vec2,
 }
 
-#[component(hz = 30, budget_us = 10)]
+#[component(hz = 30, budget_us = 10, writers = first)]
 impl GoTo {
     /// Creates the component without a pose to walk to.
     #[must_use]
