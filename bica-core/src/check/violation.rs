@@ -25,7 +25,8 @@ pub enum Violation {
     OverBudget(WorstCase),
     /// The active components need more than a whole processor; see [`load`].
     Overload(WorstCase),
-    /// A component, by index, that several can write in one cycle, and that does not say which of them counts; see [`writers()`](super::writers()).
+    /// A component, by index, that several can write in one cycle, and that does not say which of them counts; see
+    /// [`writers()`](super::writers()).
     Unordered(usize),
     /// Two outputs that are the place of one frame.
     TwoPlaces(Output, Output),

@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn defender_and_goalkeeper_are_on_the_line_to_the_own_goal() {
+    fn defender_and_goalkeeper_guard_the_own_goal() {
         let goal = Vec2::new(-FIELD.field_corner().x, 0.0);
         for ball in [Vec2::ZERO, Vec2::new(2.0, -1.0), Vec2::new(-1.0, 1.5), Vec2::new(-2.0, 0.5)] {
             let [keeper, defender] =

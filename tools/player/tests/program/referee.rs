@@ -186,7 +186,7 @@ fn small_controller_commands_a_player() {
 
 #[cfg(unix)]
 #[test]
-fn match_has_robots_of_both_teams_and_writes_the_truth() {
+fn match_of_both_teams_writes_the_truth() {
     let folder = Folder::new("match");
     let path = folder.file("truth.sock");
     let listener = std::os::unix::net::UnixListener::bind(&path).expect("a socket");
