@@ -18,6 +18,7 @@ pub(crate) enum Event {
 
 /// Stored data of a component.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own, as in the text of the semantics")]
 pub(crate) struct Memory {
     pub(crate) active: bool,
     visited: bool,
