@@ -70,6 +70,7 @@ impl Step {
             Self::Python => python::install().map(drop),
             Self::Ros => ros::install().map(drop),
             Self::Miri => miri::install(),
+            Self::Tests if !works("strace", &["--version"]) => packages(&["strace"]),
             Self::Budget if !works("valgrind", &["--version"]) => packages(&["valgrind"]),
             Self::Mujoco => mujoco::install(),
             Self::League => league::install(),

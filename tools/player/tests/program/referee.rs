@@ -1,8 +1,9 @@
 //! Player under the commands of a `GameController`, over UDP on this computer.
 
+use std::collections::BTreeSet;
 use std::io::{BufRead, BufReader, Read};
 use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
-use std::process::{Child, ChildStdout, Stdio};
+use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use bica_player::referee::Identity;
@@ -20,6 +21,7 @@ struct Controller {
     /// Address of the player's socket.
     to: SocketAddr,
     number: u8,
+    message_budget: u16,
 }
 
 /// Returns a port that no program uses.
@@ -32,7 +34,7 @@ impl Controller {
     fn new() -> Self {
         let socket = UdpSocket::bind("127.0.0.1:0").expect("a socket");
         socket.set_read_timeout(Some(Duration::from_millis(100))).expect("a time-out");
-        Self { socket, to: SocketAddr::from(([127, 0, 0, 1], free_port())), number: 0 }
+        Self { socket, to: SocketAddr::from(([127, 0, 0, 1], free_port())), number: 0, message_budget: 0 }
     }
 
     fn return_port(&self) -> String {
@@ -41,8 +43,9 @@ impl Controller {
 
     fn send(&mut self, version: Version, state: PlayState) {
         self.number = self.number.wrapping_add(1);
-        let teams = [23, 5].map(|number| Team { number, ..Team::default() });
-        let control = Control { version, number: self.number, state, teams, ..Control::default() };
+        let teams = [23, 5].map(|number| Team { number, message_budget: self.message_budget, ..Team::default() });
+        let control =
+            Control { version, number: self.number, state, teams, seconds_remaining: 600, ..Control::default() };
         let mut out = [0; CONTROL_BYTES];
         let datagram = control.encode(&mut out).expect("no penalty");
         self.socket.send_to(datagram, self.to).expect("it is sent");
@@ -136,7 +139,7 @@ fn packets_change_the_state_and_replay_bit_for_bit() {
     let mut played = Played::start(&controller, &more);
     let (to, socket) = (controller.to, controller.socket.try_clone().expect("a socket"));
     let sender = std::thread::spawn(move || {
-        let mut sending = Controller { socket, to, number: 0 };
+        let mut sending = Controller { socket, to, number: 0, message_budget: 0 };
         for state in [PlayState::Initial, PlayState::Ready, PlayState::Set, PlayState::Playing].into_iter().cycle() {
             sending.send(Version::V20, state);
             mate(u32::from(sending.number));
@@ -199,7 +202,7 @@ fn match_of_both_teams_writes_the_truth() {
     let (truth, _) = listener.accept().expect("the world connects");
     controller.to = SocketAddr::from(([127, 255, 255, 255], controller.to.port()));
     controller.socket.set_broadcast(true).expect("a broadcast");
-    let (start, mut heard) = (Instant::now(), std::collections::BTreeSet::new());
+    let (start, mut heard) = (Instant::now(), BTreeSet::new());
     while heard.len() < 4 {
         assert!(start.elapsed() < PATIENCE, "{heard:?}");
         controller.send(Version::V20, PlayState::Initial);
@@ -219,6 +222,50 @@ fn match_of_both_teams_writes_the_truth() {
     let names: Vec<_> = robots.iter().map(|robot| (robot["team"].as_u64(), robot["player"].as_u64())).collect();
     assert_eq!(names, [(Some(5), Some(1)), (Some(5), Some(2)), (Some(23), Some(1)), (Some(23), Some(2))]);
     assert!(robots.iter().all(|robot| robot["x"].as_f64().is_some_and(|x| x < -1.0) && robot["fallen"] == false));
+}
+
+/// The port in a line of strace that binds, connects or sends, as `sin_port=htons(3838)`.
+fn port(call: &str) -> Option<u16> {
+    let (_, after) = call.split_once("htons(")?;
+    after.split_once(')')?.0.parse().ok()
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` installs strace and runs it"]
+fn slow_match_uses_the_ports_of_the_rules_only() {
+    let folder = Folder::new("match-network");
+    let calls = folder.file("calls");
+    let mut controller = Controller { message_budget: 1200, ..Controller::new() };
+    let (control, answers) = (controller.to.port(), controller.socket.local_addr().expect("an address").port());
+    let team = [10_005, 10_023];
+    let ports = [control, answers].map(|port| port.to_string());
+    let play = ["play", "--world", "team", "--teams", "5,23", "--players", "2", "--size", "160x120", "--seconds", "20"];
+    let ports = ["--control-port", &ports[0], "--return-port", &ports[1], "--broadcast", "127.255.255.255", "--match"];
+    let game = player(&[&play[..], &ports].concat());
+    let mut strace = Command::new("strace");
+    strace.args(["--follow-forks", "--trace=%network", "--string-limit=0", "--output", &calls]);
+    let mut strace = strace.arg(game.get_program()).args(game.get_args()).stdout(Stdio::null()).spawn();
+    let traced = strace.as_mut().expect("strace, which `apt-get install strace` installs");
+    controller.to = SocketAddr::from(([127, 255, 255, 255], control));
+    controller.socket.set_broadcast(true).expect("a broadcast");
+    let start = Instant::now();
+    let status = loop {
+        controller.send(Version::V20, PlayState::Playing);
+        while controller.receive().is_some() {}
+        if let Some(status) = traced.try_wait().expect("a status") {
+            break status;
+        }
+        assert!(start.elapsed() < PATIENCE, "the game does not end");
+    };
+    assert!(status.success(), "{status}");
+    let text = std::fs::read_to_string(calls).expect("the calls");
+    let calls_of = |name: &'static str| text.lines().filter(move |line| line.contains(name));
+    assert!(calls_of(" socket(").all(|call| call.contains("AF_INET, SOCK_DGRAM")), "{text}");
+    assert_eq!(calls_of(" connect(").count() + calls_of(" listen(").count(), 0, "{text}");
+    let used = |name| calls_of(name).map(|call| port(call).unwrap_or_else(|| panic!("no port in {call}")));
+    let (bound, sent): (BTreeSet<_>, BTreeSet<_>) = (used(" bind(").collect(), used(" sendto(").collect());
+    assert_eq!(bound, BTreeSet::from([control, team[0], team[1]]));
+    assert_eq!(sent, BTreeSet::from([answers, team[0], team[1]]), "answers and messages of both teams");
 }
 
 #[test]
