@@ -1,7 +1,7 @@
 // The way down: children that are machines are opened out of a state, and the trail leads back.
 
 import { html, signal } from '../lib/dom.js';
-import { notify } from '../lib/store.js';
+import { notify, session } from '../lib/store.js';
 import { component, list, machine, open, openByName, openedFile } from './sources.js';
 
 /** The states that were gone through, the uppermost first: {file, name, state, child}. */
@@ -10,10 +10,23 @@ const trail = signal([]);
 const valid = () => (trail.value.at(-1)?.child === component.value?.split('<')[0] ? trail.value : []);
 
 const nameOf = (one) => one.name.split('<')[0];
-export const isMachine = (child) => list.value?.some(({ components = [] }) => components.some((one) => one.machine && nameOf(one) === child)) ?? false;
 
-/** Opens a child of a state. */
-export async function descend(state, child) {
+/** The component that a child stands for: of a role, `impl Legs`, its provider in the tree of the shown robot. */
+function providerOf(child) {
+  const [, role] = child.match(/^impl (\w+)$/) ?? [];
+  const components = session.value?.description.value?.components ?? [];
+  const link = role && components.flatMap(({ links }) => links).find(({ roles = [] }) => roles.includes(role));
+  return link ? nameOf(components[link.to]) : child;
+}
+
+export function isMachine(child) {
+  const name = providerOf(child);
+  return list.value?.some(({ components = [] }) => components.some((one) => one.machine && nameOf(one) === name)) ?? false;
+}
+
+/** Opens a child of a state; of a role, its provider. */
+export async function descend(state, name) {
+  const child = providerOf(name);
   const step = { file: openedFile.value, name: component.value, state, child };
   const before = valid();
   if (await openByName(child)) trail.value = [...before, step];

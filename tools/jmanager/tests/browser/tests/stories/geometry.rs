@@ -53,8 +53,8 @@ const machine = (count) => {
     initial: at === 0, last: false, hooks: random(6) ? [] : [{ role: 'entry', name: word() }],
     children: Array.from({ length: random(4) }, () => ({ child: word(), kind: 'requirement' })) }));
   const arrows = [];
-  const add = (name, from, to, any) => arrows.push({ key: `t:${name}:${arrows.length}:${from}`, name, from, to, any,
-    after_ms: random(5) ? null : 1500 });
+  const add = (name, from, to, any) => arrows.push({ key: `t:${name}:${arrows.length}:${from}`, name, owner: name, from, to, any,
+    after_ms: random(5) ? null : 1500, after: null, when: null, times: null });
   for (let at = 0; at < count * 2 + random(count); at += 1) add(word(), states[random(count)].name, states[random(count)].name, false);
   for (let at = 0; at < random(3); at += 1) add(word(), '*', states[random(count)].name, true);
   const to = states[random(count)].name; for (const { name } of states.filter(() => random(3) === 0)) add('sent_off', name, to, false);
