@@ -145,6 +145,20 @@ pub struct Sensors<'a> {
     pub image: Option<Image<'a>>,
 }
 
+impl Sensors<'_> {
+    /// Values before the first measurement: zero, and NaN for what may be unknown.
+    pub const UNMEASURED: Self = Self {
+        angles: Joints::all(0.0),
+        temperatures: Joints::all(f32::NAN),
+        currents: Joints::all(f32::NAN),
+        inertial: Inertial { gyro: Vec3::ZERO, acceleration: Vec3::ZERO, roll: 0.0, pitch: 0.0 },
+        left_foot: FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 },
+        right_foot: FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 },
+        buttons: Buttons { chest: false, left_bumper: false, right_bumper: false },
+        image: None,
+    };
+}
+
 /// RGB light; red, green and blue are 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Schema)]
 pub struct Light(pub f32, pub f32, pub f32);

@@ -1,8 +1,7 @@
 //! The root: each state and transition of the player, with its own children.
 
 use bica_motion::fall::{Direction, FallState};
-use bica_motion::joints::{JOINTS, Joints};
-use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
+use bica_motion::robot::CameraId;
 use bica_player::behaviour::{
     Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
 };
@@ -33,19 +32,7 @@ activation_tree! {
 /// A game of a robot that stands on both feet.
 fn game() -> Harness<Game> {
     let mut test = Harness::of_box(Box::new(Game::new()));
-    let pressed = FootPressure { front_left: 6.0, front_right: 6.0, rear_left: 6.0, rear_right: 6.0 };
-    let sensors = Sensors {
-        angles: Joints([0.0; JOINTS]),
-        temperatures: Joints([f32::NAN; JOINTS]),
-        currents: Joints([f32::NAN; JOINTS]),
-        inertial: Inertial { acceleration: glam::Vec3::Z * 9.81, ..Inertial::default() },
-        left_foot: pressed,
-        right_foot: pressed,
-        buttons: Buttons::default(),
-        image: None,
-    };
-    let commanded = *test.tree().get::<Motors>().commanded();
-    test.tree_mut().get_mut::<RobotState>().measure(&sensors, &commanded);
+    stand(&mut test);
     test
 }
 

@@ -2,8 +2,7 @@
 
 use std::fmt;
 
-use bica_motion::joints::Joints;
-use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors, is_plausible_angle, plausible_temperature};
+use bica_motion::robot::{Inertial, Sensors, is_plausible_angle, plausible_temperature};
 use glam::Vec3;
 
 use crate::body::Body;
@@ -32,18 +31,6 @@ impl fmt::Display for Mistake {
     }
 }
 
-/// Sensor values of a robot before the first state. It measures no currents, and has no feet sensors, buttons and images here.
-pub(crate) const UNMEASURED: Sensors<'_> = Sensors {
-    angles: Joints::all(0.0),
-    temperatures: Joints::all(f32::NAN),
-    currents: Joints::all(f32::NAN),
-    inertial: Inertial { gyro: Vec3::ZERO, acceleration: Vec3::ZERO, roll: 0.0, pitch: 0.0 },
-    left_foot: FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 },
-    right_foot: FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 },
-    buttons: Buttons { chest: false, left_bumper: false, right_bumper: false },
-    image: None,
-};
-
 /// Returns the sensor values of a state: angles from the serial list, temperatures from the parallel one if there is one, and the robot's
 /// own estimate of the tilt. The forces on the soles are not measured.
 ///
@@ -65,7 +52,7 @@ pub fn sensors(body: &Body, state: &LowState) -> Result<Sensors<'static>, Mistak
     if !is_in_order || !inertial.is_plausible() {
         return Err(Mistake::Value);
     }
-    let mut sensors = Sensors { inertial, ..UNMEASURED };
+    let mut sensors = Sensors { inertial, ..Sensors::UNMEASURED };
     let temperatures = if parallel.is_empty() { serial } else { parallel };
     for ((joint, motor), hot) in body.motors.iter().zip(serial).zip(temperatures) {
         sensors.angles[*joint] = motor.q;

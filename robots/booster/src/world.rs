@@ -10,7 +10,6 @@ use bica_motion::robot::{Command, Sensors};
 
 use crate::driver::Counts;
 use crate::firmware::Motion;
-use crate::measured::UNMEASURED;
 use crate::options::Options;
 use crate::run::{Course, Shared, run};
 use crate::transport::Transport;
@@ -43,7 +42,7 @@ impl BoosterWorld {
         let work = move || run(transport, &options, &of_thread);
         let thread = Some(thread::Builder::new().name("booster".into()).spawn(work)?);
         let (motion, counts) = (Motion::default(), Counts::default());
-        let mut world = Self { shared, thread, now: Duration::ZERO, sensors: UNMEASURED, motion, counts };
+        let mut world = Self { shared, thread, now: Duration::ZERO, sensors: Sensors::UNMEASURED, motion, counts };
         world.advance();
         Ok(world)
     }

@@ -1,8 +1,6 @@
 //! Striker and positions, with made-up perception.
 
-use bica_motion::joints::{JOINTS, Joints};
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
 use bica_player::behaviour::{
     Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
 };
@@ -16,7 +14,7 @@ use glam::Vec2;
 
 use super::*;
 use crate::made_up::Feet;
-use crate::{ms, request, scene};
+use crate::{ms, request, scene, stand};
 
 activation_tree! {
     struct Play {
@@ -39,19 +37,7 @@ const ME: u8 = 2;
 /// A player at a pose in a game, that stands on both feet. The goalkeeper has the number 1.
 fn player(number: u8, at: Pose2) -> Harness<Play> {
     let mut test = Harness::of_box(Box::new(Play::new()));
-    let pressed = FootPressure { front_left: 25.0, ..FootPressure::default() };
-    let sensors = Sensors {
-        angles: Joints([0.0; JOINTS]),
-        temperatures: Joints([f32::NAN; JOINTS]),
-        currents: Joints([f32::NAN; JOINTS]),
-        inertial: Inertial { acceleration: glam::Vec3::Z * 9.81, ..Inertial::default() },
-        left_foot: pressed,
-        right_foot: pressed,
-        buttons: Buttons::default(),
-        image: None,
-    };
-    let commanded = *test.tree().get::<Motors>().commanded();
-    test.tree_mut().get_mut::<RobotState>().measure(&sensors, &commanded);
+    stand(&mut test);
     scene(&mut test).place = Some(at);
     let mut control = playing(12_000);
     control.teams[1].goalkeeper = 1;

@@ -8,7 +8,7 @@ use bica::visual::Scene;
 use bica_field::{SSIM_2026, league_mark};
 use bica_motion::joints::Joints;
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{Buttons, Command, FootPressure, Inertial, Sensors};
+use bica_motion::robot::{Command, Inertial, Sensors};
 use bica_motion::senses::SenseEstimator;
 use bica_player::league::Forward;
 use bica_player::league::senses::{Object, Senses, Sight, View};
@@ -32,18 +32,6 @@ const LYING: f32 = 1.0;
 const LOST_AFTER: f64 = 15.0;
 /// Distance of the players from the halfway line at a kick-off, and from each other, m.
 const KICK_OFF: Vec2 = Vec2::new(2.5, 3.0);
-
-/// Sensor values of a body before the first measurement. The robots of the league measure neither temperatures nor currents.
-const UNMEASURED: Sensors<'_> = Sensors {
-    angles: Joints::all(0.0),
-    temperatures: Joints::all(f32::NAN),
-    currents: Joints::all(f32::NAN),
-    inertial: Inertial { gyro: Vec3::ZERO, acceleration: Vec3::ZERO, roll: 0.0, pitch: 0.0 },
-    left_foot: FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 },
-    right_foot: FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 },
-    buttons: Buttons { chest: false, left_bumper: false, right_bumper: false },
-    image: None,
-};
 
 /// Result of a game.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -101,7 +89,7 @@ impl LeagueWorld {
             number: entry.number,
             perception: Perception::default(),
             estimator: SenseEstimator::new(robot.body.model),
-            body: UNMEASURED,
+            body: Sensors::UNMEASURED,
             view: None,
             #[cfg(feature = "mujoco")]
             last_view: View::new(),
