@@ -30,7 +30,7 @@ impl Wheels {
     }
 
     /// Distance from the start.
-    #[info(unit = "m")]
+    #[output(unit = "m")]
     fn driven(&self) -> f32 {
         self.driven
     }

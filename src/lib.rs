@@ -70,7 +70,7 @@ pub use bica_core::{
 #[doc(hidden)]
 pub use bica_core::{check, render};
 pub use bica_macros::{
-    ComponentDoc, ParamEnum, Params, activation_tree, component, message, output, role, world_actions,
+    ComponentDoc, ParamEnum, Params, activation_tree, component, data, message, output, role, world_actions,
 };
 #[doc(inline)]
 pub use bica_runner as runner;
@@ -83,7 +83,7 @@ pub mod prelude {
         Refusal, Time, Tree, Tuned, Value, Work,
     };
     pub use bica_macros::{
-        ComponentDoc, ParamEnum, Params, activation_tree, component, message, output, role, world_actions,
+        ComponentDoc, ParamEnum, Params, activation_tree, component, data, message, output, role, world_actions,
     };
     pub use bica_runner::{Robot, Runner, World};
     pub use core::convert::Infallible;

@@ -82,11 +82,11 @@ mod impls {
     }
 }
 
-/// Derives what a type of sensor values or commands needs, with the attributes in the first braces, for the item in the second.
+/// Derives what a type of outputs, sensor values or commands needs, with the attributes in the first braces, for the item in the second.
 #[cfg(any(feature = "info", feature = "wire"))]
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __message {
+macro_rules! __data {
     ({ $($attributes:tt)* } { $($item:tt)* } { $($plain:tt)* }) => {
         #[derive(
             $crate::__private::serde::Serialize,
@@ -102,6 +102,6 @@ macro_rules! __message {
 #[cfg(not(any(feature = "info", feature = "wire")))]
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __message {
+macro_rules! __data {
     ({ $($attributes:tt)* } { $($item:tt)* } { $($plain:tt)* }) => { $($plain)* };
 }

@@ -43,7 +43,7 @@ pub trait Component: Sized + 'static {
     type Params: 'static;
     /// Description of the parameters, one group for each struct.
     const PARAMS: &'static [ParamGroup] = &[];
-    /// The outputs: getters with `#[info]`.
+    /// The outputs: getters with `#[output]`.
     const INFO: &'static [Info] = &[];
     /// The modulations that an operator may call: methods with `#[modulation]`.
     const MODULATIONS: &'static [Modulation] = &[];

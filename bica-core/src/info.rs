@@ -1,10 +1,10 @@
 //! Outputs: results of a component that a person or a tool may read.
 //!
-//! `#[info]` on a getter in the impl block of a component lists it in the graph. The getter is called only when somebody
+//! `#[output]` on a getter in the impl block of a component lists it in the graph. The getter is called only when somebody
 //! asks, by [`Tree::read_info`](crate::Tree::read_info).
 //!
 //! With the feature `info` of this crate, the type of the value must implement `serde::Serialize` and
-//! `postcard_schema::Schema`: `#[output]` before a struct or enum derives both. Without the feature outputs are described, but
+//! `postcard_schema::Schema`: `#[data]` before a struct or enum derives both. Without the feature outputs are described, but
 //! their values cannot be taken out.
 //!
 #![cfg_attr(feature = "info", doc = "```")]
@@ -20,7 +20,7 @@
 //!     pub const fn new() -> Self { Self { distance: 1.25 } }
 //!
 //!     /// Distance to the ball.
-//!     #[info(unit = "m")]
+//!     #[output(unit = "m")]
 //!     pub fn distance(&self) -> f32 { self.distance }
 //! }
 //!
@@ -55,7 +55,7 @@ pub struct Info {
     pub unit: Option<&'static str>,
     /// The type of the value, as the getter writes it.
     pub ty: &'static str,
-    /// The visual type and its frames, of `#[info(frame = "...")]`; `None` for what is not drawn.
+    /// The visual type and its frames, of `#[output(frame = "...")]`; `None` for what is not drawn.
     pub placement: Option<&'static Placement<'static>>,
 }
 
@@ -64,7 +64,7 @@ pub struct Info {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be the type of an output",
     label = "its values cannot be taken out",
-    note = "write `#[output]` before the struct or enum, and before each one of your own that it holds"
+    note = "write `#[data]` before the struct or enum, and before each one of your own that it holds"
 )]
 pub trait Information: serde::Serialize + postcard_schema::Schema {}
 
@@ -78,26 +78,6 @@ pub trait Information {}
 
 #[cfg(not(feature = "info"))]
 impl<V: ?Sized> Information for V {}
-
-/// Derives what a type of an output needs, with the attributes in braces.
-#[cfg(feature = "info")]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __output {
-    ({ $($attributes:tt)* } $($item:tt)*) => {
-        #[derive($crate::__private::serde::Serialize, $crate::__private::postcard_schema::Schema)]
-        $($attributes)*
-        $($item)*
-    };
-}
-
-/// Leaves the item as it is.
-#[cfg(not(feature = "info"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __output {
-    ({ $($attributes:tt)* } $($item:tt)*) => { $($item)* };
-}
 
 /// Takes the value of an output.
 pub trait InfoSink {

@@ -1,7 +1,6 @@
 //! What generated code uses. It is no part of the public interface and changes without notice.
 
-pub use crate::__message as message;
-pub use crate::__output as output;
+pub use crate::__data as data;
 pub use crate::__visit_functions as visit_functions;
 pub use crate::action::{Action, Actions, Outcome};
 pub use crate::check::{activators, check, ranks};

@@ -1,5 +1,5 @@
-//! The macros of BICA: `#[component]`, `#[role]`, `activation_tree!`, `#[derive(Params)]`, `#[derive(ParamEnum)]`, `#[output]`,
-//! `#[message]`, `#[world_actions]` and `#[derive(ComponentDoc)]`.
+//! The macros of BICA: `#[component]`, `#[role]`, `activation_tree!`, `#[derive(Params)]`, `#[derive(ParamEnum)]`, `#[data]`,
+//! `#[world_actions]` and `#[derive(ComponentDoc)]`.
 //!
 //! Each is a pipeline: parse (from tokens to a model) → check (rules within one item) → expand (to code). The first two
 //! and the wording of every message are the crate `bica-syntax`, which tools use too; `expand` has one file for each thing
@@ -56,16 +56,22 @@ pub fn component_doc(item: TokenStream) -> TokenStream {
     plain_item::component_doc(item.into()).into()
 }
 
-#[doc = include_str!("../doc/output.md")]
+#[doc = include_str!("../doc/data.md")]
 #[proc_macro_attribute]
-pub fn output(options: TokenStream, item: TokenStream) -> TokenStream {
-    plain_item::output(written(options), &item.into()).into()
+pub fn data(options: TokenStream, item: TokenStream) -> TokenStream {
+    plain_item::data(written(options), &item.into()).into()
 }
 
-#[doc = include_str!("../doc/message.md")]
+/// Marks a getter of a component as an output: see [`macro@component`]. Anywhere else it is a mistake.
+#[proc_macro_attribute]
+pub fn output(options: TokenStream, item: TokenStream) -> TokenStream {
+    plain_item::earlier("output", written(options), &item.into()).into()
+}
+
+#[doc(hidden)]
 #[proc_macro_attribute]
 pub fn message(options: TokenStream, item: TokenStream) -> TokenStream {
-    plain_item::message(written(options), &item.into()).into()
+    plain_item::earlier("message", written(options), &item.into()).into()
 }
 
 #[doc = include_str!("../doc/world_actions.md")]

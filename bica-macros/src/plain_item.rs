@@ -1,41 +1,39 @@
-//! `#[output]`, `#[message]` and `#[derive(ComponentDoc)]`: parse → expand.
+//! `#[data]` and `#[derive(ComponentDoc)]`: parse → expand.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, quote};
 
 use bica_syntax::plain_item;
 use bica_syntax::report::Report;
 
-/// Expands `#[output(options)] item`.
-pub(crate) fn output(options: TokenStream, item: &TokenStream) -> TokenStream {
-    deriving("output", options, item, &quote!(#item))
-}
-
-/// Expands `#[message(options)] item`.
-pub(crate) fn message(options: TokenStream, item: &TokenStream) -> TokenStream {
-    // Mistakes in the options are reported below.
-    let krate = plain_item::framework("message", options.clone(), item, &mut Report::default());
-    let marked = plain_item::message(item, &krate);
-    deriving("message", options, item, &quote!({ #marked } { #item }))
-}
-
-/// Passes `content` to the framework's macro `attribute`, which derives what an item with this attribute needs.
-fn deriving(attribute: &str, options: TokenStream, item: &TokenStream, content: &TokenStream) -> TokenStream {
+/// Expands `#[data(options)] item`: the framework's macro `data` derives what the item needs.
+pub(crate) fn data(options: TokenStream, item: &TokenStream) -> TokenStream {
     let mut report = Report::default();
-    let krate = plain_item::framework(attribute, options, item, &mut report);
+    let krate = plain_item::framework(options, item, &mut report);
     if !report.is_empty() {
         let errors = report.to_compile_errors();
         return quote!(#item #errors);
     }
     // Serde reads its path from a text.
     let serde = format!("{}::__private::serde", krate.to_token_stream()).replace(' ', "");
-    let derive = format_ident!("{attribute}");
+    let marked = plain_item::data(item, &krate);
     quote! {
-        #krate::__private::#derive! {
+        #krate::__private::data! {
             { #[serde(crate = #serde)] #[postcard(crate = #krate::__private::postcard_schema)] }
-            #content
+            { #marked }
+            { #item }
         }
     }
+}
+
+/// Refuses an attribute of earlier programs, and does what its successor does, so that nothing else is reported.
+pub(crate) fn earlier(attribute: &str, options: TokenStream, item: &TokenStream) -> TokenStream {
+    let error = plain_item::earlier(attribute, item).to_compile_error();
+    if syn::parse2::<syn::DeriveInput>(item.clone()).is_err() {
+        return quote!(#item #error);
+    }
+    let expanded = data(options, item);
+    quote!(#expanded #error)
 }
 
 /// Expands `#[derive(ComponentDoc)] item`.

@@ -154,7 +154,7 @@ fn generated_code_names_everything_by_its_path() {
         impl Head {
             fn step(&mut self, own: &Tuned<P>, rate: &mut Rate<Neck>, time: &Time) {}
             /// Angle.
-            #[info(unit = "rad", frame = "robot")]
+            #[output(unit = "rad", frame = "robot")]
             fn angle(&self) -> Angle {}
             /// Turns.
             #[modulation]

@@ -1,6 +1,6 @@
-//! Attributes of a struct or an enum that is no impl block: `#[output]`, `#[message]` and `#[derive(ComponentDoc)]`.
+//! Attributes of a struct or an enum that is no impl block: `#[data]` and `#[derive(ComponentDoc)]`.
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Data, DeriveInput, Expr, ExprLit, Field, Lit, Path, Token, Type, parse_quote};
 
@@ -10,13 +10,23 @@ use crate::{text, wording};
 /// Largest number of elements for which arrays implement serde's traits.
 const MAX_ARRAY: usize = 32;
 
-/// The crate that `#[attribute(crate = path)]` names, with mistakes reported. The attribute is `output` or `message`.
-pub fn framework(attribute: &str, options: TokenStream, item: &TokenStream, report: &mut Report) -> Path {
+/// The crate that `#[attribute(crate = path)]` names, with mistakes reported.
+pub fn framework(options: TokenStream, item: &TokenStream, report: &mut Report) -> Path {
     let is_possible = |input: DeriveInput| !matches!(input.data, Data::Union(_));
     if !syn::parse2(item.clone()).is_ok_and(is_possible) {
-        report.add(item, wording::plain_item(attribute));
+        report.add(item, wording::plain_item("data"));
     }
-    krate(attribute, options, report)
+    krate("data", options, report)
+}
+
+/// The mistake of `#[output]` or `#[message]` before an item.
+#[must_use]
+pub fn earlier(attribute: &str, item: &TokenStream) -> syn::Error {
+    let is_type = syn::parse2::<DeriveInput>(item.clone()).is_ok();
+    if attribute == "output" && !is_type {
+        return syn::Error::new(Span::call_site(), wording::STRAY_OUTPUT);
+    }
+    syn::Error::new(Span::call_site(), wording::earlier_data(attribute))
 }
 
 /// Reads the options `crate = path`.
@@ -34,10 +44,10 @@ pub(crate) fn krate(attribute: &str, options: TokenStream, report: &mut Report) 
     report.take(krate).unwrap_or_else(|| parse_quote!(::bica))
 }
 
-/// The item with `#[message]`, in which serde's attribute `borrow` precedes each field that borrows, and `with` each array that may
+/// The item with `#[data]`, in which serde's attribute `borrow` precedes each field that borrows, and `with` each array that may
 /// have more than `MAX_ARRAY` elements. `krate` is the framework.
 #[must_use]
-pub fn message(item: &TokenStream, krate: &Path) -> TokenStream {
+pub fn data(item: &TokenStream, krate: &Path) -> TokenStream {
     let Ok(mut input) = syn::parse2::<DeriveInput>(item.clone()) else { return item.clone() };
     let mark = |field: &mut Field| {
         if borrows(field.ty.to_token_stream()) {

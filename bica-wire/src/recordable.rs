@@ -10,11 +10,11 @@ use crate::blobs;
 
 /// Robot whose sensor values and commands can be encoded, and so recorded, replayed and sent.
 ///
-/// Every [`Robot`] whose types `Sensors` and `Command` have the attribute `#[message]` is one.
+/// Every [`Robot`] whose types `Sensors` and `Command` have the attribute `#[data]` is one.
 #[diagnostic::on_unimplemented(
     message = "the sensor values or the command of `{Self}` cannot be recorded, replayed and sent",
     label = "its type `Sensors` or `Command` cannot be encoded",
-    note = "write `#[message]` before both structs or enums, and before each one of your own that they hold"
+    note = "write `#[data]` before both structs or enums, and before each one of your own that they hold"
 )]
 pub trait Recordable: Robot {
     /// Schema of the sensor values.

@@ -15,7 +15,7 @@ pub(crate) const RAYS: usize = 72;
 pub(crate) const TRACK_WIDTH: f32 = 0.3;
 
 /// Sensor values of a cycle.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sensors {
     /// Distances of the lidar rays, m.
@@ -25,7 +25,7 @@ pub(crate) struct Sensors {
 }
 
 /// Speeds of the left and the right wheel, m/s.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct WheelSpeeds(pub(crate) [f32; 2]);
 
@@ -41,7 +41,7 @@ impl Lidar {
     }
 
     /// The newest scan.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn scan(&self) -> Scan<RAYS> {
         let (angle_increment, ranges) = (TAU / RAYS as f32, self.ranges.into_iter().collect());
         Scan { angle_min: 0.0, angle_increment, range_max: f32::MAX, ranges }
@@ -69,7 +69,7 @@ impl Odometry {
     }
 
     /// Pose relative to the start.
-    #[info(unit = "m, rad", frame = "odometry", child = "robot")]
+    #[output(unit = "m, rad", frame = "odometry", child = "robot")]
     const fn pose(&self) -> Pose2 {
         Pose2 { x: self.position[0], y: self.position[1], heading: self.heading }
     }
@@ -107,13 +107,13 @@ impl WallDetector {
     }
 
     /// Distance to the wall on the right.
-    #[info(unit = "m")]
+    #[output(unit = "m")]
     const fn distance(&self) -> f32 {
         self.distance
     }
 
     /// The wall on the right, 1 m of it in both directions; `None` if there is none.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn wall(&self) -> Option<Segment> {
         let (sin, cos) = (-self.angle).sin_cos();
         let at = |along: f32| Point2 { x: self.distance * sin + along * cos, y: -self.distance * cos + along * sin };

@@ -89,9 +89,9 @@ fn read(item: TokenStream, report: &mut Report) {
         let _ = params::parse::params(item, report);
     } else if attributes.iter().any(|one| one.contains("ComponentDoc")) {
         let _ = plain_item::component_doc(item, report);
-    } else if attributes.iter().any(|one| one.starts_with("output")) {
-        let (options, item) = split("output", item);
-        let _ = plain_item::framework("output", options, &item, report);
+    } else if attributes.iter().any(|one| one.starts_with("data")) {
+        let (options, item) = split("data", item);
+        let _ = plain_item::framework(options, &item, report);
     } else if attributes.iter().any(|one| one.starts_with("role")) {
         let (options, item) = split("role", item);
         let _ = role::parse(options, &item, report);

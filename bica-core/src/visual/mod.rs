@@ -1,7 +1,7 @@
 //! Visual types: what an output looks like on a map, in an image, in 3D.
 //!
-//! `#[info(frame = "robot")]` on a getter that returns one of these types, or an [`Option`] or array of it, states in which
-//! frame the value is given. Tools draw it from this declaration alone. `#[info(frame = "field", child = "robot")]` on a getter
+//! `#[output(frame = "robot")]` on a getter that returns one of these types, or an [`Option`] or array of it, states in which
+//! frame the value is given. Tools draw it from this declaration alone. `#[output(frame = "field", child = "robot")]` on a getter
 //! of a [`Frame`] states that the value is the place of the frame `robot` in the frame `field`: all frames of a tree that are
 //! linked in this way form a tree themselves, as those of tf in ROS. `activation_tree!` checks that no frame has two places or
 //! lies in itself.
@@ -21,11 +21,11 @@
 //!     pub const fn new() -> Self { Self { pose: Pose2 { x: 0.0, y: 0.0, heading: 0.0 } } }
 //!
 //!     /// The robot since its start.
-//!     #[info(frame = "odometry", child = "robot")]
+//!     #[output(frame = "odometry", child = "robot")]
 //!     pub fn pose(&self) -> Pose2 { self.pose }
 //!
 //!     /// The obstacle, if there is one.
-//!     #[info(unit = "m", frame = "robot")]
+//!     #[output(unit = "m", frame = "robot")]
 //!     pub fn obstacle(&self) -> Option<Point2> { None }
 //!
 //!     fn step(&mut self) {}

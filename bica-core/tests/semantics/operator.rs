@@ -31,14 +31,14 @@ impl Kicker {
     }
 
     /// Number of kicks.
-    #[info]
+    #[output]
     fn kicks(&self) -> u32 {
         self.asked.set(self.asked.get() + 1);
         self.log.len() as u32
     }
 
     /// Strength of the last kick.
-    #[info(unit = "N")]
+    #[output(unit = "N")]
     fn strength(&self) -> Option<f32> {
         self.log.last().map(|last| last.0)
     }

@@ -78,7 +78,7 @@ fn take(function: &mut Function, report: &mut Report) -> Option<Attribute> {
 fn is_meant(name: &Ident) -> bool {
     let name = name.to_string();
     text::distance(&name.to_lowercase(), "action") <= 2
-        || ["modulation", "info", "act", "operator"].contains(&name.as_str())
+        || ["modulation", "output", "act", "operator"].contains(&name.as_str())
 }
 
 /// `#[action]`, `#[action(moves = "cup")]`

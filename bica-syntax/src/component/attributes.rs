@@ -14,7 +14,7 @@ use crate::report::{Mistake, coded};
 use crate::{text, wording};
 
 /// Names from other frameworks for our attributes.
-const SYNONYMS: [(&str, &str); 15] = [
+const SYNONYMS: [(&str, &str); 16] = [
     ("enter", "entry"),
     ("on_entry", "entry"),
     ("on_enter", "entry"),
@@ -22,7 +22,8 @@ const SYNONYMS: [(&str, &str); 15] = [
     ("on_start", "start"),
     ("on_stop", "stop"),
     ("guard", "transition"),
-    ("information", "info"),
+    ("info", "output"),
+    ("information", "output"),
     ("modulate", "modulation"),
     ("action", "modulation"),
     ("initial", "state(initial)"),

@@ -1,4 +1,4 @@
-//! `#[info(unit = "m", frame = "field", child = "robot")]`
+//! `#[output(unit = "m", frame = "field", child = "robot")]`
 
 use proc_macro2::Ident;
 use syn::parse::ParseStream;

@@ -35,7 +35,7 @@ pub struct Component {
     pub starts: Vec<Function>,
     /// Functions with `#[stop]`.
     pub stops: Vec<Function>,
-    /// Functions with `#[info]`.
+    /// Functions with `#[output]`.
     pub infos: Vec<Info>,
     /// Functions with `#[modulation]`.
     pub modulations: Vec<Modulation>,
@@ -87,7 +87,7 @@ pub struct Work {
     pub output: Type,
 }
 
-/// A getter with `#[info]`.
+/// A getter with `#[output]`.
 pub struct Info {
     /// Name of the function.
     pub name: Ident,

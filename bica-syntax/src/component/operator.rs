@@ -1,4 +1,4 @@
-//! `#[info]`, `#[modulation]` and the calls of `#[action]`: outputs and calls for an operator.
+//! `#[output]`, `#[modulation]` and the calls of `#[action]`: outputs and calls for an operator.
 
 use proc_macro2::Ident;
 use syn::{Attribute, Expr, FnArg, Pat, PatType, ReturnType, Type};
@@ -31,7 +31,7 @@ const SYNONYMS: [(&str, &str); 8] = [
 /// Reads a getter.
 pub(super) fn info(function: &Function, attribute: &Attribute, own: &Type, report: &mut Report) -> Option<Info> {
     let (unit, placement) = report.take(info_options::parse(attribute))?;
-    let (name, doc) = described(function, "info", report);
+    let (name, doc) = described(function, "output", report);
     signature::read_operator(&function.signature, own, Wanted::Shared, report);
     for input in function.signature.inputs.iter().filter(|input| matches!(input, FnArg::Typed(_))) {
         report.add(input, wording::INFO_ARGUMENTS);

@@ -241,7 +241,7 @@ fn sort(component: &mut Component, function: &mut block::Function, mut roles: Ve
         };
         report.add(other, problem);
     }
-    if let Some(role @ ("info" | "modulation" | "work")) = role
+    if let Some(role @ ("output" | "modulation" | "work")) = role
         && text::name(&function.signature.ident) == "step"
     {
         component.incomplete = true;
@@ -256,7 +256,7 @@ fn sort(component: &mut Component, function: &mut block::Function, mut roles: Ve
             let hooks = if role == "start" { &mut component.starts } else { &mut component.stops };
             hooks.push(function);
         }
-        Some("info") => {
+        Some("output") => {
             let info = operator::info(function, first, component.own(), report);
             component.infos.extend(info);
         }

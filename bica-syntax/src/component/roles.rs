@@ -5,7 +5,7 @@ use syn::Attribute;
 
 /// The attributes that assign a function its role.
 pub(super) const ROLES: [&str; 10] =
-    ["state", "transition", "entry", "exit", "before", "start", "stop", "info", "modulation", "work"];
+    ["state", "transition", "entry", "exit", "before", "start", "stop", "output", "modulation", "work"];
 
 /// The role that an attribute assigns, if it is one of ours.
 #[must_use]

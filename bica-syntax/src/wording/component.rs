@@ -69,7 +69,9 @@ messages! {
 }
 
 pub(crate) const TWO_ROLES: &str = "a function has one role (`state`, `transition`, `entry`, `exit`, \
-                                     `before`, `start`, `stop`, `info`, `modulation` or `work`): remove one";
+                                     `before`, `start`, `stop`, `output`, `modulation` or `work`): remove one";
+pub(crate) const STRAY_OUTPUT: &str =
+    "`#[output]` belongs on a getter in an impl block with `#[component]`: write that above the block, or remove this";
 pub(crate) const PLACE_OF_A_ROLE: &str = "this attribute belongs on a function: move it there, or remove it";
 pub(crate) const STEP_ATTRIBUTE: &str = "the step has no attribute: name the function `step` and remove this";
 pub(crate) const CONDITIONAL: &str =
@@ -111,6 +113,7 @@ messages! {
 // Items beside the block.
 messages! {
     plain_item(attribute) = "`#[{attribute}]` belongs on a struct or an enum: move it there, or remove it";
+    earlier_data(attribute) = "before a struct or an enum, `#[{attribute}]` is called `#[data]`: write that";
     plain_options(attribute) =
         "write `#[{attribute}]`, or `#[{attribute}(crate = bica_core)]` for another path of the framework";
     component_doc(name) = "`{name}` has no doc comment that its component could have: write one above it, `/// ...`";
@@ -118,7 +121,7 @@ messages! {
 
 // Outputs and calls for an operator.
 pub(crate) const INFO_FORM: &str =
-    "write `#[info]`, `#[info(unit = \"m\")]` or `#[info(unit = \"m\", frame = \"robot\")]`";
+    "write `#[output]`, `#[output(unit = \"m\")]` or `#[output(unit = \"m\", frame = \"robot\")]`";
 pub(crate) const CHILD_WITHOUT_FRAME: &str =
     "a child frame has a place in another frame: add `frame = \"...\"`, the name of that frame";
 pub(crate) const INFO_ARGUMENTS: &str = "an output is read without arguments: remove this";

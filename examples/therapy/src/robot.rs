@@ -20,7 +20,7 @@ use crate::session::{Session, Step};
 use crate::skeleton::Skeleton;
 
 /// Sensor values of a cycle.
-#[message]
+#[data]
 #[derive(Clone, Debug)]
 pub struct Sensors {
     /// Measured angles of the joints, rad.
@@ -44,7 +44,7 @@ pub struct Sensors {
 }
 
 /// A part of a session.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Order {
     /// The next step.
@@ -56,7 +56,7 @@ pub enum Order {
 }
 
 /// Command of a cycle.
-#[message]
+#[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Command {
     /// Targets of the joints, rad.

@@ -39,7 +39,7 @@ pub enum Point {
 }
 
 /// Points of a body with the confidence in each. Any unit and any frame are allowed: only angles are computed.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Skeleton {
     /// Positions, in the order of [`Point`].

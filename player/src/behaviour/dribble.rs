@@ -99,14 +99,14 @@ impl Dribble {
     }
 
     /// Whether the ball is no longer in front of the feet: kicked, or missed.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn done(&self) -> bool {
         self.done
     }
 
     /// Lateral distance from the nearer foot to the ball, positive to the left.
-    #[info(unit = "m")]
+    #[output(unit = "m")]
     #[must_use]
     pub const fn aside(&self) -> f32 {
         self.aside

@@ -85,14 +85,14 @@ impl FaceBall {
     }
 
     /// Whether the ball is in the middle of the newest image.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn centred(&self) -> bool {
         self.centred
     }
 
     /// Angles from the direction of the selected camera to the ball in the last run in which its bearing was known.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     #[must_use]
     pub const fn error(&self) -> HeadAngles {
         self.error

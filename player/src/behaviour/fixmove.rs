@@ -148,7 +148,7 @@ impl Fixmove {
     }
 
     /// The requested kick, with its heading in the frame of the odometry.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     #[must_use]
     pub const fn requested(&self) -> Option<Strike> {
         self.strike
@@ -156,35 +156,35 @@ impl Fixmove {
 
     /// Way from the body to the pose in which the kick hits the ball, forward and left, with the turn; `None` without a
     /// requested kick or a ball.
-    #[info(unit = "m, rad", frame = "robot")]
+    #[output(unit = "m, rad", frame = "robot")]
     #[must_use]
     pub const fn error(&self) -> Option<Pose2> {
         self.error
     }
 
     /// Number of aligned runs at rest.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn settled(&self) -> u8 {
         self.settled
     }
 
     /// Whether the ball is too far away to line up.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn out_of_reach(&self) -> bool {
         self.far
     }
 
     /// The kick that was given up because the robot could not line up.
-    #[info]
+    #[output]
     #[must_use]
     pub fn failed_kick(&self) -> Option<Kick> {
         self.strike.filter(|_| self.failed).map(|strike| strike.kick)
     }
 
     /// Whether the kick was played to its end or given up.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn done(&self) -> bool {
         self.done

@@ -151,21 +151,21 @@ impl FollowBall {
     }
 
     /// Whether the ball is in front of the feet: centred in the bottom camera, with the head far down and nearly straight.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn reached(&self) -> bool {
         self.reached
     }
 
     /// Whether the direction of the ball asks for a turn on the spot.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_turning(&self) -> bool {
         self.turning
     }
 
     /// Least distance to the ball since the approach began or the ball rolled away; `None` while it is unknown.
-    #[info(unit = "m")]
+    #[output(unit = "m")]
     #[must_use]
     pub fn nearest(&self) -> Option<f32> {
         self.nearest.is_finite().then_some(self.nearest)
@@ -173,7 +173,7 @@ impl FollowBall {
 
     /// Time without progress: without a decrease of the least distance by `progress_distance`. The robot sidesteps while it
     /// is above `progress_time`.
-    #[info(unit = "s")]
+    #[output(unit = "s")]
     #[must_use]
     pub const fn stalled_time(&self) -> f32 {
         self.stalled_time

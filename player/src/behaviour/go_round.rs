@@ -83,21 +83,21 @@ impl GoRound {
     }
 
     /// The requested angle, positive to the left.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     #[must_use]
     pub const fn angle(&self) -> f32 {
         self.angle
     }
 
     /// The part of the angle that remains, positive to the left.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     #[must_use]
     pub const fn remaining(&self) -> f32 {
         self.remaining
     }
 
     /// Whether the body has turned by the requested angle.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn done(&self) -> bool {
         self.done

@@ -89,21 +89,21 @@ impl LookAround {
     }
 
     /// Number of completed directions since the component became active.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn glances(&self) -> u32 {
         self.glances
     }
 
     /// The side on which a scan begins: 1 left, −1 right.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn first_side(&self) -> f32 {
         self.side
     }
 
     /// Whether every direction is completed since the component became active.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.glances as usize >= DIRECTIONS

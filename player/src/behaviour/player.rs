@@ -215,14 +215,14 @@ impl Player {
     }
 
     /// The last plan at the ball: a kick with its heading in the frame of the odometry, or a turn around the ball.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     #[must_use]
     pub const fn plan(&self) -> Option<Plan> {
         self.plan
     }
 
     /// The last kick, if it was given up because the robot could not line up.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn last_failed_kick(&self) -> Option<Kick> {
         self.last_failed_kick

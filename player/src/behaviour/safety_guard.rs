@@ -205,7 +205,7 @@ impl SafetyGuard {
     }
 
     /// Number of get-up movements since the fall.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn attempts(&self) -> u8 {
         self.attempts
@@ -213,21 +213,21 @@ impl SafetyGuard {
 
     /// Index of the key posture that the last get-up movement approaches, from its beginning; `None` if there was none since
     /// the component became active.
-    #[info]
+    #[output]
     #[must_use]
     pub fn get_up_posture(&self) -> Option<u32> {
         self.get_up.index().map(|index| index as u32)
     }
 
     /// Index of the key posture that the motion to or from the sitting posture approaches; their number when it is over.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn sit_or_rise_posture(&self) -> u32 {
         self.sit_or_rise.index() as u32
     }
 
     /// Whether the robot stands again.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn stands(&self) -> bool {
         self.stands

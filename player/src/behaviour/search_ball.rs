@@ -295,21 +295,21 @@ impl SearchBall {
     }
 
     /// Number of completed directions of this scan, 0 to 13.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn glances(&self) -> u32 {
         self.glance as u32
     }
 
     /// Number of turns at this place.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn turns_here(&self) -> u32 {
         self.turns as u32
     }
 
     /// First side of the scans, and direction of the turns: 1 left, −1 right.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn first_side(&self) -> f32 {
         match self.side {
@@ -319,20 +319,20 @@ impl SearchBall {
     }
 
     /// Place to which the robot walks to search from there; only if it knows its pose.
-    #[info(unit = "m", frame = "odometry")]
+    #[output(unit = "m", frame = "odometry")]
     fn next_place(&self) -> Option<Point2> {
         self.place.map(info::point)
     }
 
     /// Free path ahead, in the last run that measured it.
-    #[info(unit = "m")]
+    #[output(unit = "m")]
     #[must_use]
     pub const fn path(&self) -> f32 {
         self.path
     }
 
     /// Walked distance from the last place.
-    #[info(unit = "m")]
+    #[output(unit = "m")]
     #[must_use]
     pub const fn walked(&self) -> f32 {
         self.walked

@@ -39,14 +39,14 @@ impl SearchNet {
     }
 
     /// Whether the search is over: both posts were seen at once, or every direction was searched.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.complete
     }
 
     /// Number of completed directions of the search.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn glances(&self) -> u32 {
         self.glances

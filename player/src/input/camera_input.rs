@@ -116,7 +116,7 @@ impl CameraInput {
     }
 
     /// Number of images so far; it identifies the newest one.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn count(&self) -> u32 {
         self.count
@@ -129,13 +129,13 @@ impl CameraInput {
     }
 
     /// Camera that took the newest image.
-    #[info]
+    #[output]
     const fn camera(&self) -> CameraId {
         self.camera
     }
 
     /// Width and height of the newest image.
-    #[info(unit = "px")]
+    #[output(unit = "px")]
     const fn size(&self) -> (u16, u16) {
         (self.width, self.height)
     }

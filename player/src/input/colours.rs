@@ -122,19 +122,19 @@ impl Colours {
     }
 
     /// Whether the limits can be adjusted: there is memory for their table.
-    #[info]
+    #[output]
     const fn is_adjustable(&self) -> bool {
         self.tuned_table().is_some()
     }
 
     /// Whether a table of the limits classifies, instead of the program's table.
-    #[info]
+    #[output]
     const fn is_tuned(&self) -> bool {
         self.is_tuned
     }
 
     /// Number of runs until the table of the limits is complete.
-    #[info]
+    #[output]
     fn runs_to_complete(&self) -> u32 {
         self.tuned_table().map_or(0, |table| table.left() as u32)
     }

@@ -38,14 +38,14 @@ impl GameState {
     }
 
     /// Whether the chest button is pressed.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_button_pressed(&self) -> bool {
         self.pressed
     }
 
     /// Whether the robot is in the game: neither penalized nor stopped.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn playing(&self) -> bool {
         self.playing

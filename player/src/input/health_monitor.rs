@@ -81,41 +81,41 @@ impl HealthMonitor {
     }
 
     /// The fault of joints, motors or sensors, if there is one. The robot sits down.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn fault(&self) -> Option<Fault> {
         self.health.fault()
     }
 
     /// The fault of camera or gyroscope, if there is one. The robot stands until it ends.
-    #[info]
+    #[output]
     #[must_use]
     pub fn sense_fault(&self) -> Option<Fault> {
         self.senses.fault()
     }
 
     /// Whether a fault ends the current motion: both feet have touched the ground since, or the grace time has passed.
-    #[info]
+    #[output]
     #[must_use]
     pub fn must_stop(&self) -> bool {
         self.grace <= 0.0
     }
 
     /// Temperatures of the motors, in the order of [`Joint`]; NaN where unknown.
-    #[info(unit = "°C")]
+    #[output(unit = "°C")]
     const fn temperatures(&self) -> [f32; JOINTS] {
         self.temperatures.0
     }
 
     /// Joint with the hottest motor, if a temperature is known.
-    #[info]
+    #[output]
     fn hottest_joint(&self) -> Option<Joint> {
         let known = Joint::ALL.into_iter().filter(|joint| !self.temperatures[*joint].is_nan());
         known.max_by(|a, b| self.temperatures[*a].total_cmp(&self.temperatures[*b]))
     }
 
     /// Share of its stiffness that each joint has left, in the order of [`Joint`], 0 to 1.
-    #[info]
+    #[output]
     fn stiffness_shares(&self) -> [f32; JOINTS] {
         self.derated(&Joints([1.0; JOINTS])).0
     }

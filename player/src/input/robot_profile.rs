@@ -70,7 +70,7 @@ impl RobotProfile {
     }
 
     /// The kind of the profile in use: that of a world with dynamics walks as a pendulum.
-    #[info]
+    #[output]
     fn used(&self) -> BodyProfile {
         if self.used.gait.pendulum_height > 0.0 { BodyProfile::Dynamic } else { BodyProfile::Kinematic }
     }

@@ -120,57 +120,57 @@ impl RobotState {
     }
 
     /// Joint angles.
-    #[info(unit = "rad", frame = "robot")]
+    #[output(unit = "rad", frame = "robot")]
     const fn joint_angles(&self) -> visual::Joints<[Joint; JOINTS], [f32; JOINTS]> {
         visual::Joints { names: Joint::ALL, positions: self.angles.0 }
     }
 
     /// Turn rates of the gyroscope and acceleration, along the torso's axes.
-    #[info(unit = "rad/s, m/s²", frame = "torso")]
+    #[output(unit = "rad/s, m/s²", frame = "torso")]
     fn inertial_unit(&self) -> Imu {
         let Inertial { gyro, acceleration, .. } = self.inertial;
         Imu { angular_velocity: info::vector(gyro), linear_acceleration: info::vector(acceleration), orientation: None }
     }
 
     /// Pose of the torso, from the joint angles and the support foot.
-    #[info(unit = "m", frame = "robot", child = "torso")]
+    #[output(unit = "m", frame = "robot", child = "torso")]
     fn torso(&self) -> Pose3 {
         info::pose_in_space(&ground_from_robot(self.model, self.support(), &self.angles))
     }
 
     /// Pose of the head.
-    #[info(unit = "m", frame = "torso", child = "head")]
+    #[output(unit = "m", frame = "torso", child = "head")]
     fn head(&self) -> Pose3 {
         info::pose_in_space(&Skeleton::of(self.model, &self.angles).pose(Segment::Head))
     }
 
     /// Roll of the torso, positive to the right.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     const fn roll(&self) -> f32 {
         self.inertial.roll
     }
 
     /// Pitch of the torso, positive forward.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     const fn pitch(&self) -> f32 {
         self.inertial.pitch
     }
 
     /// Force on the left and on the right sole.
-    #[info(unit = "N")]
+    #[output(unit = "N")]
     fn foot_forces(&self) -> [f32; 2] {
         self.feet.map(|foot| foot.total())
     }
 
     /// The foot that carries more of the weight.
-    #[info]
+    #[output]
     #[must_use]
     pub fn support(&self) -> Side {
         if self.feet[1].total() > self.feet[0].total() { Side::Right } else { Side::Left }
     }
 
     /// Whether both feet touch the ground.
-    #[info]
+    #[output]
     #[must_use]
     pub fn grounded(&self) -> bool {
         self.touching() == [true; 2]

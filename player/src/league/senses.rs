@@ -5,7 +5,7 @@ use bica_motion::robot::Sensors;
 use heapless::Vec;
 
 /// What the robot senses in a cycle.
-#[message]
+#[data]
 #[derive(Clone, Debug)]
 pub struct Senses<'a> {
     /// Joints and inertial unit, with the estimates of what the body does not measure; no image.
@@ -20,7 +20,7 @@ pub struct Senses<'a> {
 pub const SIGHTS: usize = 48;
 
 /// Something that the camera sees.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sight {
     /// What it is.
@@ -30,7 +30,7 @@ pub struct Sight {
 }
 
 /// Kind of a sight.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Object {
     /// The centre of the ball.

@@ -107,14 +107,14 @@ impl Body {
     }
 
     /// Whether the body stands with both feet together.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_still(&self) -> bool {
         self.still
     }
 
     /// The requested kind of walking.
-    #[info(unit = "m/s, rad/s")]
+    #[output(unit = "m/s, rad/s")]
     #[must_use]
     pub const fn request(&self) -> Request {
         self.request

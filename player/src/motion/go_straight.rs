@@ -52,14 +52,14 @@ impl GoStraight {
     }
 
     /// Requested forward speed.
-    #[info(unit = "m/s")]
+    #[output(unit = "m/s")]
     #[must_use]
     pub const fn forward(&self) -> f32 {
         self.forward
     }
 
     /// Requested turning speed, positive to the left.
-    #[info(unit = "rad/s")]
+    #[output(unit = "rad/s")]
     #[must_use]
     pub const fn turn(&self) -> f32 {
         self.turn

@@ -95,28 +95,28 @@ impl Head {
     }
 
     /// The commanded head pan, rad to the left.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     #[must_use]
     pub const fn pan(&self) -> f32 {
         self.commanded.yaw
     }
 
     /// The commanded head tilt, rad down.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     #[must_use]
     pub const fn tilt(&self) -> f32 {
         self.commanded.pitch
     }
 
     /// The requested direction within the limits of the joints.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     #[must_use]
     pub const fn target(&self) -> HeadAngles {
         self.target
     }
 
     /// Whether the head has reached its target, or come as near as it can.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn arrived(&self) -> bool {
         self.arrived

@@ -78,21 +78,21 @@ impl Kicker {
     }
 
     /// The requested kick.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn requested(&self) -> Option<Kick> {
         self.kick
     }
 
     /// Whether the foot moves through the position of the ball now.
-    #[info]
+    #[output]
     #[must_use]
     pub fn strikes(&self) -> bool {
         self.motion.is_some_and(|motion| motion.strikes())
     }
 
     /// Whether the kick is over and the robot stands again.
-    #[info]
+    #[output]
     #[must_use]
     pub fn done(&self) -> bool {
         self.motion.is_some_and(|motion| motion.is_done())

@@ -43,7 +43,7 @@ impl Turn {
     }
 
     /// Requested turning speed, positive to the left.
-    #[info(unit = "rad/s")]
+    #[output(unit = "rad/s")]
     #[must_use]
     pub const fn speed(&self) -> f32 {
         self.speed

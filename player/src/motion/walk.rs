@@ -110,35 +110,35 @@ impl Walk {
     }
 
     /// The requested velocity, in the frame of the robot.
-    #[info(unit = "m/s, rad/s")]
+    #[output(unit = "m/s, rad/s")]
     #[must_use]
     pub const fn requested(&self) -> Velocity {
         self.request
     }
 
     /// Velocity of the current step, within the limits of the gait; zero in stand.
-    #[info(unit = "m/s, rad/s")]
+    #[output(unit = "m/s, rad/s")]
     #[must_use]
     pub const fn velocity(&self) -> Velocity {
         self.gait.velocity()
     }
 
     /// Phase of the walk.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn phase(&self) -> Phase {
         self.gait.phase()
     }
 
     /// Planned support foot; `None` in stand.
-    #[info]
+    #[output]
     #[must_use]
     pub fn support(&self) -> Option<Side> {
         self.gait.support()
     }
 
     /// Whether both feet are together and still.
-    #[info]
+    #[output]
     #[must_use]
     pub fn stands(&self) -> bool {
         self.gait.phase() == Phase::Standing

@@ -23,7 +23,7 @@ impl CameraSelector {
     }
 
     /// The selected camera.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn selected(&self) -> CameraId {
         self.camera

@@ -78,14 +78,14 @@ impl Motors {
     }
 
     /// The requested targets, in the order of the joints.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     #[must_use]
     pub const fn targets(&self) -> &Joints {
         &self.targets
     }
 
     /// The requested stiffness, 0 to 1, in the order of the joints.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn stiffness(&self) -> &Joints {
         &self.stiffness
@@ -99,7 +99,7 @@ impl Motors {
 
     /// The command of the previous cycle, within the joint limits and with the stiffness of hot motors reduced; all zero
     /// before the first one.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn commanded(&self) -> &JointCommand {
         &self.commanded

@@ -143,7 +143,7 @@ impl BallDetector {
     }
 
     /// Whether it looks for the ball: it has processed an image in the last half second.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_looking(&self) -> bool {
         self.ego_motion.has_image()
@@ -156,7 +156,7 @@ impl BallDetector {
     }
 
     /// The ball in the newest image.
-    #[info(unit = "px", frame = "camera")]
+    #[output(unit = "px", frame = "camera")]
     fn ball_in_image(&self) -> Option<ImageCircle> {
         self.seen().map(|BallSighting { ball, .. }| ImageCircle {
             x: ball.centre.x,
@@ -166,7 +166,7 @@ impl BallDetector {
     }
 
     /// Confidence in the ball of the newest image, 0 to 1.
-    #[info]
+    #[output]
     fn sighting_confidence(&self) -> Option<f32> {
         self.seen().map(|seen| seen.ball.confidence)
     }
@@ -178,27 +178,27 @@ impl BallDetector {
     }
 
     /// Whether the ball was in the last images: in two, unless a parameter says otherwise.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_confirmed(&self) -> bool {
         self.in_row >= self.confirmations && self.is_looking()
     }
 
     /// Whether the last confirmed sighting is old: at least 2 s, unless a parameter says otherwise; also if it does not look.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_lost(&self) -> bool {
         self.unseen_ms >= self.lost_after_ms || !self.is_looking()
     }
 
     /// Time since the last confirmed sighting.
-    #[info(unit = "ms")]
+    #[output(unit = "ms")]
     const fn unseen_time(&self) -> u64 {
         self.unseen_ms
     }
 
     /// Bearing of the ball in the newest image, otherwise of its remembered position.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     #[must_use]
     pub fn bearing(&self) -> Option<Bearing> {
         let remembered = || self.position().map(|at| Bearing::of_ground(self.model, at, FIELD.ball_radius()));
@@ -213,25 +213,25 @@ impl BallDetector {
     }
 
     /// Most probable position of the ball now.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn ball_position(&self) -> Option<Ellipse> {
         self.estimate().map(info::ellipse)
     }
 
     /// Velocity of the ball over the ground, x forward, y left; zero for a resting ball.
-    #[info(unit = "m/s")]
+    #[output(unit = "m/s")]
     fn ball_velocity(&self) -> Point2 {
         info::point(self.memory().velocity())
     }
 
     /// Probability that the ball rolls, 0 to 1.
-    #[info]
+    #[output]
     fn rolling_probability(&self) -> f32 {
         self.memory().rolls()
     }
 
     /// Confidence in the position, 0 to 1.
-    #[info]
+    #[output]
     const fn position_confidence(&self) -> f32 {
         self.confidence()
     }

@@ -69,26 +69,26 @@ impl CameraPose {
     }
 
     /// Whether the rotation since the previous image is so small that the newest image is sharp.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_steady(&self) -> bool {
         self.is_steady
     }
 
     /// Rotation of the camera between the last two images.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     const fn rotation(&self) -> f32 {
         self.turned
     }
 
     /// Pose of the camera that took the newest image.
-    #[info(frame = "robot", child = "camera")]
+    #[output(frame = "robot", child = "camera")]
     fn camera_pose(&self) -> Option<Pose3> {
         self.camera.map(|camera| info::pose_in_space(&camera.pose()))
     }
 
     /// Intrinsic parameters of the camera that took the newest image.
-    #[info(unit = "px", frame = "camera")]
+    #[output(unit = "px", frame = "camera")]
     fn calibration(&self) -> Option<CameraCalibration> {
         self.camera.map(|camera| {
             let Intrinsics { focal, centre } = camera.intrinsics();
@@ -97,7 +97,7 @@ impl CameraPose {
     }
 
     /// The horizon, from the left edge of the newest image to the right one.
-    #[info(unit = "px", frame = "camera")]
+    #[output(unit = "px", frame = "camera")]
     fn horizon(&self) -> Option<ImageSegment> {
         let camera = self.camera?;
         let at = |x: f32| camera.horizon(x).map(|y| ImagePoint { x, y });

@@ -79,14 +79,14 @@ impl FallDetector {
     }
 
     /// The state of the balance: upright, falling or fallen, with the side.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn state(&self) -> FallState {
         self.detector.state()
     }
 
     /// Whether the robot falls or lies.
-    #[info]
+    #[output]
     #[must_use]
     pub fn is_down(&self) -> bool {
         self.state() != FallState::Upright

@@ -68,13 +68,13 @@ impl FieldBoundary {
     }
 
     /// Highest row of the boundary; `None` if no field is in view.
-    #[info(unit = "px")]
+    #[output(unit = "px")]
     fn top(&self) -> Option<f32> {
         self.line.top()
     }
 
     /// The boundary from its left end to its right one; without points if no field is in view.
-    #[info(unit = "px", frame = "camera")]
+    #[output(unit = "px", frame = "camera")]
     fn corners(&self) -> ImagePolyline<COLUMNS> {
         ImagePolyline { points: self.line.corners().iter().copied().map(info::pixel).collect() }
     }

@@ -59,32 +59,32 @@ impl FieldLines {
     }
 
     /// Number of line segments.
-    #[info]
+    #[output]
     fn line_count(&self) -> u32 {
         self.markings.lines.len() as u32
     }
 
     /// Total length of the line segments on the ground.
-    #[info(unit = "m")]
+    #[output(unit = "m")]
     fn line_length(&self) -> f32 {
         self.markings.lines.iter().map(Line::length).sum()
     }
 
     /// Number of crossings.
-    #[info]
+    #[output]
     fn crossing_count(&self) -> u32 {
         self.markings.crossings.len() as u32
     }
 
     /// The first line segments on the ground.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn lines(&self) -> List<Segment, DRAWN> {
         let segment = |line: &Line| Segment { start: info::point(line.from), end: info::point(line.to) };
         self.markings.lines.iter().map(segment).collect()
     }
 
     /// Centre of the centre circle.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn circle_centre(&self) -> Option<Point2> {
         self.markings.circle.map(|circle| info::point(circle.centre))
     }

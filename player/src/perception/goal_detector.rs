@@ -187,7 +187,7 @@ impl GoalDetector {
     }
 
     /// The colour of the attacked goal.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn attacked(&self) -> GoalColour {
         self.attacked
@@ -216,7 +216,7 @@ impl GoalDetector {
     }
 
     /// Left or only post, and right post, of the attacked goal in the newest image, from the base to the top.
-    #[info(unit = "px", frame = "camera")]
+    #[output(unit = "px", frame = "camera")]
     fn posts_in_image(&self) -> [Option<ImageSegment>; 2] {
         let posts = self.seen().map_or([None; 2], |goal| [Some(goal.first), goal.second]);
         let segment = |post: Post| ImageSegment { start: info::pixel(post.base), end: info::pixel(post.top) };
@@ -224,20 +224,20 @@ impl GoalDetector {
     }
 
     /// Whether the newest image shows the yellow and the sky-blue goal.
-    #[info]
+    #[output]
     const fn seen_goals(&self) -> [bool; 2] {
         [self.goals().yellow.is_some(), self.goals().blue.is_some()]
     }
 
     /// Whether both posts were seen at once since the search was restarted.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.complete
     }
 
     /// Whether a part of the remembered goal was seen since the search was restarted.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_found(&self) -> bool {
         self.found
@@ -251,7 +251,7 @@ impl GoalDetector {
 
     /// The middle of the widest gap, m to the left of the middle of the goal; `None` if both posts were never in view
     /// at the same time.
-    #[info(unit = "m")]
+    #[output(unit = "m")]
     #[must_use]
     pub const fn gap(&self) -> Option<f32> {
         self.gap
@@ -265,19 +265,19 @@ impl GoalDetector {
     }
 
     /// Middle of the goal.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn goal_position(&self) -> Option<Ellipse> {
         self.estimate().map(info::ellipse)
     }
 
     /// Confidence in the position, 0 to 1.
-    #[info]
+    #[output]
     const fn position_confidence(&self) -> f32 {
         self.memory.confidence()
     }
 
     /// Unit vector along the goal line, from the right post to the left one, in the ground frame.
-    #[info]
+    #[output]
     fn goal_line(&self) -> Point2 {
         info::point(self.across())
     }

@@ -66,31 +66,31 @@ impl Localization {
     }
 
     /// Most probable pose on the field, reliable or not, with its covariance: x towards the attacked goal, from the centre.
-    #[info(frame = "field")]
+    #[output(frame = "field")]
     fn robot_pose(&self) -> Option<PoseWithCovariance2> {
         self.estimate().map(|estimate| info::pose_with_covariance(estimate.pose, &estimate.covariance))
     }
 
     /// Most probable pose of the odometry's frame on the field.
-    #[info(frame = "field", child = "odometry")]
+    #[output(frame = "field", child = "odometry")]
     fn odometry_origin(&self) -> Option<visual::Pose2> {
         self.estimate().map(|estimate| info::pose(estimate.pose * self.ego_motion.pose().inverse()))
     }
 
     /// Whether most particles agree on the pose.
-    #[info]
+    #[output]
     fn is_sure(&self) -> bool {
         self.pose().is_some()
     }
 
     /// Share of the particles near the pose, 0 to 1; 0 before the first sighting.
-    #[info]
+    #[output]
     fn agreement(&self) -> f32 {
         self.estimate().map_or(0.0, |estimate| estimate.belief)
     }
 
     /// Left and right post of the attacked goal by the pose.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn post_positions(&self) -> Option<[Point2; 2]> {
         self.posts().map(|posts| posts.map(info::point))
     }

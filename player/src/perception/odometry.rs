@@ -118,13 +118,13 @@ impl Odometry {
     }
 
     /// Pose of the point on the ground between the feet, in the frame of the start.
-    #[info(frame = "odometry", child = "robot")]
+    #[output(frame = "odometry", child = "robot")]
     fn walked(&self) -> visual::Pose2 {
         info::pose(self.pose())
     }
 
     /// Foot that bears most of the weight, if one does.
-    #[info]
+    #[output]
     const fn support(&self) -> Option<Side> {
         self.estimator.support()
     }

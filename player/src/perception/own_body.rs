@@ -39,7 +39,7 @@ impl OwnBody {
     }
 
     /// Share of the image that shows the body, 0 to 1.
-    #[info]
+    #[output]
     fn image_share(&self) -> f32 {
         self.body.image_share()
     }

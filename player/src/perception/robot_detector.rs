@@ -91,13 +91,13 @@ impl RobotDetector {
     }
 
     /// Positions of the remembered robots.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn robot_positions(&self) -> List<Point2, REMEMBERED> {
         self.places().map(|place| info::point(place.position)).collect()
     }
 
     /// Number of robots in the newest image.
-    #[info]
+    #[output]
     fn robots_in_image(&self) -> u32 {
         self.robots.len() as u32
     }

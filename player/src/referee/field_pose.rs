@@ -65,7 +65,7 @@ impl FieldPose {
     }
 
     /// Pose in the field frame: x towards the attacked goal, from the centre.
-    #[info(frame = "field")]
+    #[output(frame = "field")]
     fn field_pose(&self) -> Option<visual::Pose2> {
         self.pose.map(info::pose)
     }

@@ -117,7 +117,7 @@ impl GameController {
     }
 
     /// What the player has to do now.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn order(&self) -> Order {
         self.order
@@ -155,28 +155,28 @@ impl GameController {
     }
 
     /// The state that the `GameController` shows; `None` before its first packet.
-    #[info]
+    #[output]
     #[must_use]
     pub fn state(&self) -> Option<PlayState> {
         self.control().map(|control| control.state)
     }
 
     /// The set play.
-    #[info]
+    #[output]
     #[must_use]
     pub fn set_play(&self) -> Option<SetPlay> {
         self.control().map(|control| control.set_play)
     }
 
     /// Number of the team that kicks.
-    #[info]
+    #[output]
     #[must_use]
     pub fn kicking_team(&self) -> Option<u8> {
         self.control()?.kicking_team
     }
 
     /// The own penalty.
-    #[info]
+    #[output]
     #[must_use]
     pub fn penalty(&self) -> Penalty {
         self.penalty_of(self.me.player)
@@ -191,7 +191,7 @@ impl GameController {
     }
 
     /// Whether the robot is the goalkeeper. A goalkeeper whose field players are all penalized plays as one of them.
-    #[info]
+    #[output]
     #[must_use]
     pub fn is_goalkeeper(&self) -> bool {
         let me = self.me.player;
@@ -205,49 +205,49 @@ impl GameController {
     }
 
     /// Remaining time of the half; negative in overtime.
-    #[info(unit = "s")]
+    #[output(unit = "s")]
     #[must_use]
     pub fn seconds_remaining(&self) -> Option<i32> {
         self.control().map(|control| control.seconds_remaining.into())
     }
 
     /// Goals of the own team and of the other one.
-    #[info]
+    #[output]
     #[must_use]
     pub fn score(&self) -> Option<[u8; 2]> {
         self.teams().map(|teams| teams.map(|team| team.score))
     }
 
     /// Number of messages that the own team may still send.
-    #[info]
+    #[output]
     #[must_use]
     pub fn message_budget(&self) -> Option<u32> {
         self.teams().map(|[own, _]| own.message_budget.into())
     }
 
     /// Time since the last packet, or since the start.
-    #[info(unit = "s")]
+    #[output(unit = "s")]
     #[must_use]
     pub const fn silence(&self) -> f32 {
         self.silence
     }
 
     /// Number of datagrams that are no control packets for the own team.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn ignored(&self) -> u32 {
         self.ignored
     }
 
     /// Number of control packets that were older than the last one.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn late(&self) -> u32 {
         self.late
     }
 
     /// Number of control packets from another sender than the one that commands.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn other_source(&self) -> u32 {
         self.other_source

@@ -137,20 +137,20 @@ impl GoTo {
     }
 
     /// Whether the robot stands at the pose.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn arrived(&self) -> bool {
         self.arrived
     }
 
     /// The pose to walk to.
-    #[info(frame = "field")]
+    #[output(frame = "field")]
     fn place(&self) -> Option<visual::Pose2> {
         self.place.map(info::pose)
     }
 
     /// Next point to walk to.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     const fn next_point(&self) -> visual::Point2 {
         info::point(self.next)
     }

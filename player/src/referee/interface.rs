@@ -7,7 +7,7 @@ use super::packet::{Control, Status};
 use crate::team::{Heard, TeamMessage};
 
 /// Which player of which team a robot is.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Identity {
     /// Number of the team.
@@ -17,7 +17,7 @@ pub struct Identity {
 }
 
 /// A control packet that has arrived.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Received {
     /// Its content; the own team is one of the two.
@@ -29,7 +29,7 @@ pub struct Received {
 }
 
 /// Sensor values of a cycle, with what the network brought.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug)]
 pub struct TeamSensors<'a> {
     /// Sensor values of the body.
@@ -47,7 +47,7 @@ pub struct TeamSensors<'a> {
 }
 
 /// A status message and its receiver.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
     /// Address of the `GameController`: IPv4.
@@ -57,7 +57,7 @@ pub struct Answer {
 }
 
 /// Command of a cycle, with what the network shall take.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TeamCommand {
     /// Command of the body.

@@ -3,7 +3,7 @@
 use bica::prelude::*;
 
 /// What a player has to do by the rules.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Order {
     /// Stand, before a half and in a time-out.

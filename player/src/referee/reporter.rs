@@ -67,7 +67,7 @@ impl Reporter {
     }
 
     /// Number of messages so far.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn messages(&self) -> u32 {
         self.messages

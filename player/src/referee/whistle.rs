@@ -30,7 +30,7 @@ impl Whistle {
     }
 
     /// Whether the whistle was heard since the state became set.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn heard(&self) -> bool {
         self.heard

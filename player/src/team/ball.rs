@@ -80,20 +80,20 @@ impl TeamBall {
     }
 
     /// Most probable position.
-    #[info(unit = "m", frame = "field")]
+    #[output(unit = "m", frame = "field")]
     fn ball_position(&self) -> Option<visual::Point2> {
         self.position().map(info::point)
     }
 
     /// Time since any player has seen the ball.
-    #[info(unit = "s")]
+    #[output(unit = "s")]
     #[must_use]
     pub fn age(&self) -> Option<f32> {
         self.fused.map(|ball| ball.age)
     }
 
     /// Standard deviation of the position.
-    #[info(unit = "m")]
+    #[output(unit = "m")]
     #[must_use]
     pub fn error(&self) -> Option<f32> {
         self.fused.map(|ball| ball.error)

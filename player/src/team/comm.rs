@@ -117,14 +117,14 @@ impl TeamComm {
     }
 
     /// Number of messages so far.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn messages(&self) -> u32 {
         self.messages
     }
 
     /// Longest time between two messages.
-    #[info(unit = "s")]
+    #[output(unit = "s")]
     #[must_use]
     pub fn interval(&self) -> f32 {
         self.pacer.interval()

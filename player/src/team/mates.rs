@@ -72,34 +72,34 @@ impl TeamMates {
     }
 
     /// Number of the other players that are present.
-    #[info]
+    #[output]
     #[must_use]
     pub fn count(&self) -> u32 {
         self.present().count() as u32
     }
 
     /// Number of the other players that are strikers.
-    #[info]
+    #[output]
     #[must_use]
     pub fn strikers(&self) -> u32 {
         self.present().filter(|mate| mate.message.role == Role::Striker).count() as u32
     }
 
     /// Positions of the players that are present.
-    #[info(unit = "m", frame = "field")]
+    #[output(unit = "m", frame = "field")]
     fn positions(&self) -> List<visual::Point2, 8> {
         self.present().map(|mate| info::point(mate.message.pose().position)).collect()
     }
 
     /// Number of messages that have arrived.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn messages(&self) -> u32 {
         self.messages
     }
 
     /// Number of refused datagrams.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn refused(&self) -> u32 {
         self.refused

@@ -7,7 +7,7 @@ use glam::Vec2;
 use crate::referee::Identity;
 
 /// Part of a player in the game.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Role {
     /// Does not play: it lies, is penalized, or does not know its pose.
@@ -24,7 +24,7 @@ pub enum Role {
 }
 
 /// What a player does now.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Intention {
     /// Stands, by the rules or after a fall.
@@ -39,7 +39,7 @@ pub enum Intention {
 }
 
 /// The ball, as a player knows it.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SeenBall {
     /// Position, m, field frame.
@@ -51,7 +51,7 @@ pub struct SeenBall {
 }
 
 /// Covariance of a pose: the upper half of a symmetric matrix with a row and a column for x, y, m, and heading, rad.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PoseCovariance {
     /// Variances of x, y and heading, m² and rad².
@@ -61,7 +61,7 @@ pub struct PoseCovariance {
 }
 
 /// Message of a player to its team. The field frame has x towards the attacked goal, from the centre.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TeamMessage {
     /// Sender.
@@ -103,7 +103,7 @@ impl TeamMessage {
 }
 
 /// A message of another player of the team that has arrived.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Heard {
     /// Its content; the sender belongs to the own team.

@@ -119,21 +119,21 @@ impl Roles {
     }
 
     /// The own part.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn role(&self) -> Role {
         self.role
     }
 
     /// Whether the robot plays the ball: as the striker, or as the goalkeeper with a ball near its goal.
-    #[info]
+    #[output]
     #[must_use]
     pub fn plays_ball(&self) -> bool {
         self.role == Role::Striker || self.is_clearing
     }
 
     /// Time that the robot would take to the ball; `None` if ball or pose are not known.
-    #[info(unit = "s")]
+    #[output(unit = "s")]
     #[must_use]
     pub const fn time_to_ball(&self) -> Option<f32> {
         self.time_to_ball

@@ -73,3 +73,16 @@ fn main() {
     Followers::new().tick(Instant::from_ticks(0));
     let _ = Tuned::<Following>::DEFAULT;
 }
+
+#[message]
+struct Sent {
+    speed: f32,
+}
+
+#[output]
+struct Shown {
+    speed: f32,
+}
+
+#[output]
+fn speed() -> f32 { 0.0 }

@@ -35,19 +35,19 @@ impl Ball {
     const fn new() -> Self { Self }
 
     /// Kind of the obstacle.
-    #[info]
+    #[output]
     fn kind(&self) -> Kind { Kind::Post }
 
     /// Distance to the ball.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn distance(&self) -> f32 { 0.0 }
 
     /// The ball.
-    #[info(unit = "m", frame = "robot", child = "ball")]
+    #[output(unit = "m", frame = "robot", child = "ball")]
     fn ball(&self) -> Option<Point2> { None }
 
     /// The robot.
-    #[info(frame = "field", child = "robot")]
+    #[output(frame = "field", child = "robot")]
     fn robot(&self) -> Option<&Pose2> { None }
 }
 

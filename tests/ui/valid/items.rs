@@ -4,7 +4,7 @@ use bica::info::{InfoSink, Information};
 use bica::prelude::*;
 
 /// Kind of an obstacle.
-#[output]
+#[data]
 #[derive(Clone, Copy)]
 enum Kind<T> {
     Post,
@@ -38,7 +38,7 @@ impl Player {
     }
 
     /// Obstacle in front.
-    #[info]
+    #[output]
     fn kind(&self) -> Option<Kind<u8>> {
         None
     }

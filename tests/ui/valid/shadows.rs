@@ -108,7 +108,7 @@ impl Player {
     }
 
     /// Speed.
-    #[info(unit = "m/s")]
+    #[output(unit = "m/s")]
     fn speed(&self) -> Number {
         self.speed
     }

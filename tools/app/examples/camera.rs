@@ -20,7 +20,7 @@ impl Eye {
 
 activation_tree! { struct Looker { root: Eye, cycle_hz: 50, components: [Eye] } }
 
-#[message]
+#[data]
 struct Sensors<'a> {
     image: Option<Blob<'a>>,
 }

@@ -60,7 +60,7 @@ mod tests {
         }
 
         /// Brightness.
-        #[info]
+        #[output]
         fn gain(&self) -> f32 {
             1.0
         }

@@ -1,4 +1,4 @@
-//! Outputs and calls for an operator: `#[info]` and `#[modulation]`.
+//! Outputs and calls for an operator: `#[output]` and `#[modulation]`.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote, quote_spanned};

@@ -38,7 +38,7 @@ impl Shooting {
 }
 
 /// Where and when a rolling ball crosses the line through the robot's toes.
-#[output]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Distance to the left of the robot, m.
@@ -69,14 +69,14 @@ impl BallPath {
     }
 
     /// Where and when the ball passes the robot; `None` if it does not come.
-    #[info(unit = "m, s")]
+    #[output(unit = "m, s")]
     #[must_use]
     pub const fn crossing(&self) -> Option<Crossing> {
         self.crossing
     }
 
     /// Whether the position of the ball is known and it does not roll.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn rests(&self) -> bool {
         self.rests

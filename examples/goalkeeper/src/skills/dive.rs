@@ -46,7 +46,7 @@ impl Dive {
     }
 
     /// Side to which the body falls.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn side(&self) -> Option<Side> {
         self.side

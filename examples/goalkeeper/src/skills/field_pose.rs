@@ -39,7 +39,7 @@ impl FieldPose {
     }
 
     /// Pose in the field frame.
-    #[info(frame = "field")]
+    #[output(frame = "field")]
     fn field_pose(&self) -> visual::Pose2 {
         info::pose(self.pose)
     }

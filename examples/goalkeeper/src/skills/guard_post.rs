@@ -85,14 +85,14 @@ impl GuardPost {
     }
 
     /// Whether the robot stands at its place.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn arrived(&self) -> bool {
         self.arrived
     }
 
     /// Way to the place, forward and left, with the turn.
-    #[info(unit = "m, rad", frame = "robot")]
+    #[output(unit = "m, rad", frame = "robot")]
     fn way(&self) -> visual::Pose2 {
         info::pose(self.way)
     }

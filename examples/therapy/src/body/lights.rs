@@ -6,7 +6,7 @@ use bica_motion::robot::Light;
 use crate::session::Lamp;
 
 /// Lights of the robot.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shining {
     /// Both eyes.

@@ -58,7 +58,7 @@ impl Motors {
     }
 
     /// Targets, in the order of the joints.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     pub(crate) const fn targets(&self) -> &Joints {
         &self.targets
     }

@@ -93,13 +93,13 @@ impl Mover {
     }
 
     /// Time for which the far posture of an exercise has been held, s; 0 while the arms move.
-    #[info(unit = "s")]
+    #[output(unit = "s")]
     pub(crate) fn held(&self) -> f32 {
         self.running.map_or(0.0, |running| (running.time - running.seconds).clamp(0.0, running.held()))
     }
 
     /// Whether a movement runs.
-    #[info]
+    #[output]
     pub(crate) const fn is_running(&self) -> bool {
         self.running.is_some()
     }

@@ -5,7 +5,7 @@ use bica::prelude::*;
 use crate::session::Task;
 
 /// Clips that are played in a cycle.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sounding {
     /// Clip that is spoken.
@@ -52,7 +52,7 @@ impl Sound {
     }
 
     /// The volume.
-    #[info]
+    #[output]
     pub(crate) const fn volume(&self) -> f32 {
         self.volume
     }

@@ -129,7 +129,7 @@ impl Walk {
     }
 
     /// Whether it walks, or the legs come to the stand.
-    #[info]
+    #[output]
     pub(crate) fn is_walking(&self) -> bool {
         self.has_way() || self.left.is_some() || self.gait.phase() != Phase::Standing
     }

@@ -32,7 +32,7 @@ enum Stage {
 }
 
 /// Numbers of judged repetitions.
-#[output]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Counts {
     /// Repetitions.
@@ -107,7 +107,7 @@ impl ExerciseCheck {
     }
 
     /// Number of examples so far, 0 to 3.
-    #[info]
+    #[output]
     pub(crate) fn examples(&self) -> u8 {
         match &self.stage {
             Stage::Idle => 0,
@@ -117,13 +117,13 @@ impl ExerciseCheck {
     }
 
     /// Numbers of repetitions since the examples.
-    #[info]
+    #[output]
     pub(crate) const fn counts(&self) -> Counts {
         self.counts
     }
 
     /// The newest repetitions since the examples; the last one at the end.
-    #[info]
+    #[output]
     pub(crate) const fn attempts(&self) -> [Option<Attempt>; NEWEST] {
         self.attempts
     }

@@ -56,7 +56,7 @@ impl Verdict {
 }
 
 /// Reasons why a repetition is not correct or cannot be judged; all false for a correct one.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "each reason holds or not, in any combination")]
 pub struct Reasons {
@@ -104,7 +104,7 @@ impl Reasons {
 }
 
 /// A repetition that was judged.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attempt {
     /// Reasons why it is not correct.

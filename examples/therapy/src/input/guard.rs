@@ -18,7 +18,7 @@ pub struct Guarding {
 }
 
 /// Why the session pauses.
-#[output]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Trouble {
     /// The robot fell.
@@ -76,19 +76,19 @@ impl Guard {
     }
 
     /// The trouble, if there is one.
-    #[info]
+    #[output]
     pub(crate) const fn trouble(&self) -> Option<Trouble> {
         self.trouble
     }
 
     /// Charge of the battery, 0 to 1.
-    #[info]
+    #[output]
     pub(crate) const fn battery(&self) -> f32 {
         self.battery
     }
 
     /// Temperature of the hottest motor.
-    #[info(unit = "°C")]
+    #[output(unit = "°C")]
     pub(crate) const fn hottest(&self) -> f32 {
         self.hottest
     }

@@ -331,25 +331,25 @@ impl Session {
     }
 
     /// Share of tempo and repetitions that is left after what was made easier.
-    #[info]
+    #[output]
     pub(crate) const fn ease(&self) -> f32 {
         self.ease
     }
 
     /// Time in the present wait or exercise, s.
-    #[info(unit = "s")]
+    #[output(unit = "s")]
     pub(crate) const fn waited(&self) -> f32 {
         self.waited
     }
 
     /// Most time of the present wait or exercise, s; 0 if the present step is none.
-    #[info(unit = "s")]
+    #[output(unit = "s")]
     pub(crate) fn limit(&self) -> f32 {
         if let Some(Step::Wait(_, limit) | Step::Exercise { limit, .. }) = self.plan.step() { limit } else { 0.0 }
     }
 
     /// Number of the present step, from 0.
-    #[info]
+    #[output]
     pub(crate) const fn at(&self) -> u16 {
         self.plan.at()
     }

@@ -4,7 +4,7 @@ use bica::prelude::*;
 use bica_motion::robot::Light;
 
 /// A step. Steps are numbered from 0; a step at or after the last one ends the session.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
     /// Begins a movement at a fraction of its usual tempo, 0.2 to 1.
@@ -44,7 +44,7 @@ pub enum Step {
 }
 
 /// Event that ends a wait.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Until {
     Time,
@@ -53,7 +53,7 @@ pub enum Until {
 }
 
 /// What can be pressed or touched: the button in the chest, the bumpers of the feet, the sensors of head and hands.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ParamEnum)]
 pub enum Signal {
     Chest,
@@ -65,7 +65,7 @@ pub enum Signal {
 }
 
 /// A light. Of the ears, which are blue, only the brightness is set.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lamp {
     Eyes,
@@ -74,7 +74,7 @@ pub enum Lamp {
 }
 
 /// Activity that runs in parallel to the steps.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Task {
     Movement,
@@ -92,7 +92,7 @@ impl Task {
 }
 
 /// One of the seven movements of physiotherapy.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Movement {
     ArmsAlternately,

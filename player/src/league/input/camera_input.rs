@@ -31,7 +31,7 @@ impl CameraInput {
     }
 
     /// Number of views so far; it identifies the newest one.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn count(&self) -> u32 {
         self.count
@@ -44,7 +44,7 @@ impl CameraInput {
     }
 
     /// Number of sights in the newest view.
-    #[info]
+    #[output]
     fn sight_count(&self) -> u32 {
         self.sights.len() as u32
     }

@@ -36,7 +36,7 @@ impl GameState {
     }
 
     /// Whether the robot is in the game.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn playing(&self) -> bool {
         self.admitted && !self.stopped

@@ -126,7 +126,7 @@ impl BallDetector {
     }
 
     /// Whether it looks for the ball: it has processed a view in the last half second.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_looking(&self) -> bool {
         self.ego_motion.has_image()
@@ -151,21 +151,21 @@ impl BallDetector {
     }
 
     /// Whether the ball was in the last views: in two, unless a parameter says otherwise.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_confirmed(&self) -> bool {
         self.in_row >= self.confirmations && self.is_looking()
     }
 
     /// Whether the last confirmed sighting is old: at least 2 s, unless a parameter says otherwise; also if it does not look.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_lost(&self) -> bool {
         self.unseen_ms >= self.lost_after_ms || !self.is_looking()
     }
 
     /// Bearing of the ball in the newest view, otherwise of its remembered position.
-    #[info(unit = "rad")]
+    #[output(unit = "rad")]
     #[must_use]
     pub fn bearing(&self) -> Option<Bearing> {
         let remembered = || self.position().map(|at| Bearing::of_ground(self.model, at, FIELD.ball_radius()));
@@ -180,13 +180,13 @@ impl BallDetector {
     }
 
     /// Most probable position of the ball now.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn ball_position(&self) -> Option<Ellipse> {
         self.estimate().map(info::ellipse)
     }
 
     /// Velocity of the ball over the ground, x forward, y left; zero for a resting ball.
-    #[info(unit = "m/s")]
+    #[output(unit = "m/s")]
     fn ball_velocity(&self) -> Point2 {
         info::point(self.memory().velocity())
     }

@@ -39,7 +39,7 @@ impl CameraPose {
     }
 
     /// Pose of the camera that took the newest view.
-    #[info(frame = "robot", child = "camera")]
+    #[output(frame = "robot", child = "camera")]
     fn camera_pose(&self) -> Option<Pose3> {
         self.pose.as_ref().map(info::pose_in_space)
     }

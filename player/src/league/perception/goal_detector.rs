@@ -65,7 +65,7 @@ impl GoalDetector {
     }
 
     /// Whether both posts were seen at once since the search was restarted.
-    #[info]
+    #[output]
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.complete
@@ -104,13 +104,13 @@ impl GoalDetector {
     }
 
     /// Left and right post.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn goal_posts(&self) -> Option<[Point2; 2]> {
         self.posts().map(|posts| posts.map(info::point))
     }
 
     /// Middle of the back of the goal, with the direction out of the field.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn goal(&self) -> Option<VisualPose> {
         let out = self.out();
         Some(info::pose(Pose2 { position: self.position()?, heading: libm::atan2f(out.y, out.x) }))

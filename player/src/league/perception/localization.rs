@@ -53,19 +53,19 @@ impl Localization {
     }
 
     /// Most probable pose on the field: x towards the attacked goal, from the centre.
-    #[info(frame = "field")]
+    #[output(frame = "field")]
     fn robot_pose(&self) -> Option<visual::Pose2> {
         self.pose().map(info::pose)
     }
 
     /// Most probable pose of the odometry's frame on the field.
-    #[info(frame = "field", child = "odometry")]
+    #[output(frame = "field", child = "odometry")]
     fn odometry_origin(&self) -> Option<visual::Pose2> {
         self.pose().map(|pose| info::pose(pose * self.ego_motion.pose().inverse()))
     }
 
     /// Left and right post of the attacked goal by the pose.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn post_positions(&self) -> Option<[Point2; 2]> {
         self.posts().map(|posts| posts.map(info::point))
     }

@@ -62,7 +62,7 @@ impl RobotDetector {
     }
 
     /// The positions.
-    #[info(unit = "m", frame = "robot")]
+    #[output(unit = "m", frame = "robot")]
     fn robot_positions(&self) -> List<Point2, ROBOTS> {
         self.feet.iter().copied().map(info::point).collect()
     }

@@ -19,7 +19,7 @@ const TRUE_STATE: [u8; 4] = *b"RGTD";
 const NO_TEAM: u8 = 255;
 
 /// A player in a packet.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PlayerInfo {
     /// Penalty.
@@ -33,7 +33,7 @@ pub struct PlayerInfo {
 }
 
 /// A team in a packet.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Team {
     /// Number of the team.
@@ -57,7 +57,7 @@ pub struct Team {
 }
 
 /// A control packet.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Control {
     /// Version of its format.

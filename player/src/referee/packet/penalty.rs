@@ -5,7 +5,7 @@ use bica::prelude::*;
 use super::Version;
 
 /// Reason for which a player must stand still or leave the field. Its number in a packet depends on the version.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Penalty {
     /// The player may play.

@@ -19,7 +19,7 @@ const MILLIMETRES: f32 = 1000.0;
 const FAR: f32 = 100.0;
 
 /// The ball as a player knows it.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BallReport {
     /// Time since it was seen, s; 0 or more.
@@ -29,7 +29,7 @@ pub struct BallReport {
 }
 
 /// What a player tells the `GameController`, at 0.5 to 2 Hz.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Status {
     /// Number of the player, 1 to 20.

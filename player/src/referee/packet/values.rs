@@ -5,7 +5,7 @@ use bica::prelude::*;
 use super::{CONTROL_BYTES, Mismatch};
 
 /// Version of a control packet.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Version {
     /// 198 bytes.
@@ -49,7 +49,7 @@ impl Version {
 macro_rules! numbered {
     ($(#[$doc:meta])* $name:ident, $field:literal: $first:ident $(#[$first_doc:meta])*, $($(#[$variant_doc:meta])* $variant:ident),+) => {
         $(#[$doc])*
-        #[message]
+        #[data]
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub enum $name {
             $(#[$first_doc])*

@@ -20,7 +20,7 @@ impl Sonar {
     }
 
     /// Distance to the obstacle.
-    #[info(unit = "m")]
+    #[output(unit = "m")]
     fn distance(&self) -> f32 {
         self.distance
     }
@@ -109,14 +109,14 @@ activation_tree! {
 }
 
 /// Sensor values of a cycle.
-#[message]
+#[data]
 pub struct Sensors {
     /// Distance to the obstacle, m.
     distance: f32,
 }
 
 /// Command of a cycle.
-#[message]
+#[data]
 pub struct Command {
     /// Speed of the wheels, m/s.
     speed: f32,

@@ -49,7 +49,7 @@ impl Range {
     }
 
     /// The distance and its square.
-    #[info(unit = "m")]
+    #[output(unit = "m")]
     fn distance(&self) -> (f32, f32) {
         (self.0, self.0 * self.0)
     }

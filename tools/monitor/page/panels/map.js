@@ -59,7 +59,7 @@ export function GroundMap({ visible, params, remember }) {
   }, [visible.value, sources, deep.value]);
 
   if (!description) return html`<${Empty} what="No map yet" help="Open a world, a robot or a recording." />`;
-  if (!hasMap(shown)) return html`<${Empty} what="This tree has nothing that a map can draw" help='Return a type of bica::visual from an output, and name its frame: #[info(frame = "robot")].' />`;
+  if (!hasMap(shown)) return html`<${Empty} what="This tree has nothing that a map can draw" help='Return a type of bica::visual from an output, and name its frame: #[output(frame = "robot")].' />`;
   const { outputs, main, read, truth } = own;
   const place = own.place();
   const frames = [...new Set([...shown.scenery.value, ...truth(), ...outputs.map(({ info }) => info)].flatMap(({ frame, child }) => (child ? [frame, child] : [frame])))];

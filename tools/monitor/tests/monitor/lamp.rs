@@ -53,13 +53,13 @@ impl Lamp {
     }
 
     /// Brightness now.
-    #[info]
+    #[output]
     fn brightness(&self) -> f32 {
         self.brightness
     }
 
     /// Brightness, and one that no JSON number is.
-    #[info]
+    #[output]
     fn unmeasured(&self) -> (f32, f32) {
         (self.brightness, f32::NAN)
     }
@@ -129,7 +129,7 @@ impl Eye {
     }
 
     /// Number of images.
-    #[info]
+    #[output]
     fn count(&self) -> u32 {
         self.count
     }
@@ -146,7 +146,7 @@ activation_tree! {
 }
 
 /// Sensor values.
-#[message]
+#[data]
 pub(crate) struct Sensors<'a> {
     image: Option<Blob<'a>>,
 }

@@ -34,7 +34,8 @@ const GUARDED: u64 = 110;
 
 /// Returns the first cycle from `from` on in which the head is active, or latent.
 fn head_is(active: bool, cycles: &[Cycle], from: u64) -> Result<u64, Box<dyn std::error::Error>> {
-    let found = (from as usize..cycles.len()).find(|cycle| (cycles[*cycle].active >> head().index() & 1 == 1) == active);
+    let found =
+        (from as usize..cycles.len()).find(|cycle| (cycles[*cycle].active >> head().index() & 1 == 1) == active);
     Ok(found.ok_or_else(|| format!("the head's activity is never {active} from cycle {from} on"))? as u64)
 }
 

@@ -16,7 +16,7 @@ use bica_recording::{
 use serde_json::json;
 
 /// Sensor values of the cart.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sensors<'a> {
     /// Speeds of the left and the right wheel, rad/s.
@@ -32,7 +32,7 @@ pub(crate) struct Sensors<'a> {
 }
 
 /// Command of the cart.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Command {
     /// Torques of the left and the right wheel, N m.
@@ -42,7 +42,7 @@ pub(crate) struct Command {
 }
 
 /// A lamp.
-#[message]
+#[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Lamp {
     /// It is dark.
@@ -77,13 +77,13 @@ impl Counter {
     }
 
     /// Number of runs so far.
-    #[info]
+    #[output]
     fn runs(&self) -> u32 {
         self.runs
     }
 
     /// Part of the day, and its number.
-    #[info(unit = "h")]
+    #[output(unit = "h")]
     fn day(&self) -> (Option<bool>, f32) {
         (Some(self.runs.is_multiple_of(2)), f32::NAN)
     }

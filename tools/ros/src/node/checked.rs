@@ -58,7 +58,7 @@ mod tests {
         }
 
         /// A number.
-        #[info]
+        #[output]
         fn state(&self) -> u32 {
             0
         }
@@ -92,13 +92,13 @@ mod tests {
         }
 
         /// A number.
-        #[info]
+        #[output]
         fn größe(&self) -> u32 {
             0
         }
 
         /// A number.
-        #[info]
+        #[output]
         fn grüße(&self) -> u32 {
             0
         }

@@ -31,7 +31,7 @@ pub struct Component {
     pub transitions: Vec<Transition>,
     /// Functions with `#[entry]`, `#[exit]`, `#[before]`, `#[start]` or `#[stop]`.
     pub hooks: Vec<Hook>,
-    /// Functions with `#[info]`.
+    /// Functions with `#[output]`.
     pub info: Vec<Info>,
     /// Functions with `#[modulation]`.
     pub modulations: Vec<Modulation>,
@@ -267,7 +267,7 @@ impl HookRole {
     }
 }
 
-/// An output: a getter with `#[info]`.
+/// An output: a getter with `#[output]`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Info {
     /// Its function.

@@ -83,7 +83,7 @@ fn sort(source: &Source<'_>, component: &mut Component, item: &ImplItemFn, own: 
                 .transitions
                 .push(Transition { function: Function { carries, ..function }, arrows: arrows.collect() });
         }
-        "info" => {
+        "output" => {
             let ty = if let ReturnType::Type(_, ty) = &item.sig.output { Some(written(source, ty)) } else { None };
             component.info.push(Info { function, attribute, unit: syntax::info(first).unwrap_or_default().0, ty });
         }

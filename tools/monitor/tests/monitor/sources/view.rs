@@ -44,7 +44,7 @@ impl Player {
     }
 
     /// Steps.
-    #[info]
+    #[output]
     pub fn steps(&self) -> u32 {
         0
     }

@@ -14,7 +14,7 @@ const SCOPE: &str = "";
 
 const PARTS: &str = "//! What the keeper uses.\n\nuse bica::prelude::*;\n\n/// Finds the ball.\n#[derive(Debug)]\npub struct Ball;\n\n\
     #[component]\nimpl Ball {\n    \
-    /// Whether it is seen.\n    #[info]\n    pub fn is_seen(&self) -> bool {\n        true\n    }\n\n    fn step(&mut self) {}\n}\n\n\
+    /// Whether it is seen.\n    #[output]\n    pub fn is_seen(&self) -> bool {\n        true\n    }\n\n    fn step(&mut self) {}\n}\n\n\
     /// Moves.\n#[derive(Debug)]\n\
     pub struct Legs;\n\n#[component]\n\
     impl Legs {\n    /// Goes to a side.\n    #[modulation]\n    pub fn aside(&mut self) {}\n\n    fn step(&mut self) {}\n}\n";
