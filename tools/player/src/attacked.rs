@@ -16,6 +16,12 @@ pub(crate) const SKY_BLUE: &str = "sky-blue";
 /// Value of the option for the yellow goal, which is the default.
 pub(crate) const YELLOW: &str = "yellow";
 
+/// Option of a game in which the robot attacks a goal.
+pub(crate) fn option(attacks: GoalColour) -> String {
+    let colour = if attacks == GoalColour::Yellow { YELLOW } else { SKY_BLUE };
+    format!("{ATTACKS}={colour}")
+}
+
 /// Replays the recording of a game in a world, with the robot that `maker` makes for the recorded goal; `None` if the
 /// recording is not of this world.
 pub(crate) fn replay<R>(

@@ -223,12 +223,15 @@ pub(crate) struct RefereeArgs {
     /// With --referee or --teams, use no network but that of the rules: no link and no ROS
     #[arg(long = "match", requires = "commanded")]
     pub(crate) is_match: bool,
-    /// With `--world team`, numbers of the two teams of a match under a `GameController`. Needs the feature `referee`
+    /// With `--world team`, numbers of the two teams of a match; --record then names a folder. Needs the feature `referee`
     #[arg(long, value_name = "TEAM,TEAM", value_parser = teams, group = "commanded")]
     pub(crate) teams: Option<[u8; 2]>,
     /// With --teams, number of players of each team
     #[arg(long, value_name = "N", default_value_t = 3, requires = "teams", value_parser = clap::value_parser!(u8).range(1..=5))]
     pub(crate) players: u8,
+    /// With --teams and --games, the second team stands before its goal
+    #[arg(long, requires = "teams")]
+    pub(crate) idle: bool,
     /// With --teams, Unix socket to which the world writes the true state, 20 lines of JSON a second
     #[arg(long, value_name = "PATH", requires = "teams")]
     pub(crate) truth: Option<PathBuf>,

@@ -3,11 +3,10 @@
 mod controller;
 mod network;
 mod play;
-mod team_match;
+mod team;
 mod team_network;
-mod truth;
 mod world;
 
 pub(crate) use controller::{RefereeCommand, run as command};
 pub(crate) use play::{replay, run};
-pub(crate) use team_match::run as run_match;
+pub(crate) use team::run as run_match;

@@ -5,7 +5,8 @@ use std::io;
 use std::net::{Ipv4Addr, SocketAddr, SocketAddrV4, UdpSocket};
 
 use bica_app::Failure;
-use bica_player::referee::{Answer, Identity, Inbox, Received};
+use bica_motion::robot::Sensors;
+use bica_player::referee::{Answer, Identity, Inbox, Received, TeamCommand, TeamSensors};
 use socket2::{Domain, Socket, Type};
 
 use super::team_network::TeamNetwork;
@@ -90,19 +91,9 @@ impl PlayerNetwork {
         Ok(Self { socket, team, me, inbox, only, return_port: answers, waiting: VecDeque::new(), sent: 0 })
     }
 
-    /// Messages of the team.
-    pub(super) const fn team(&mut self) -> &mut TeamNetwork {
-        &mut self.team
-    }
-
     /// Number of messages to the team that were sent, and of datagrams on its port that were refused.
     pub(super) fn team_counts(&self) -> (u64, u32) {
         (self.team.sent(), self.team.refused())
-    }
-
-    /// Team and number of the player.
-    pub(super) const fn me(&self) -> Identity {
-        self.me
     }
 
     /// Number of datagrams that were not control packets for the team.
@@ -115,8 +106,24 @@ impl PlayerNetwork {
         self.sent
     }
 
+    /// Adds what has arrived until `now`, µs, to the sensor values of a body.
+    pub(super) fn sensors<'a>(&mut self, now: u64, body: Sensors<'a>) -> TeamSensors<'a> {
+        let (packet, heard) = (self.receive(now), self.team.receive(now));
+        TeamSensors { body, me: self.me, packet, ignored: self.ignored(), heard, refused: self.team.refused() }
+    }
+
+    /// Sends what a command has for the network; what is lost is not sent again.
+    pub(super) fn send(&mut self, command: &TeamCommand) {
+        if let Some(answer) = &command.answer {
+            self.answer(answer);
+        }
+        if let Some(message) = &command.message {
+            self.team.send(message);
+        }
+    }
+
     /// Reads all datagrams that have arrived until `now`, µs, and returns the oldest waiting packet.
-    pub(super) fn receive(&mut self, now: u64) -> Option<Received> {
+    fn receive(&mut self, now: u64) -> Option<Received> {
         let Self { socket, inbox, only, waiting, .. } = self;
         drain(socket, |datagram, source| {
             if only.is_some_and(|only| only != source) {
@@ -132,8 +139,7 @@ impl PlayerNetwork {
         waiting.pop_front()
     }
 
-    /// Sends a status message; a lost message is not sent again.
-    pub(super) fn send(&mut self, answer: &Answer) {
+    fn answer(&mut self, answer: &Answer) {
         let to = SocketAddrV4::new(answer.to.into(), self.return_port);
         if self.socket.send_to(&answer.status.encode(), to).is_ok() {
             self.sent += 1;

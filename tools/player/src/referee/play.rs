@@ -12,8 +12,9 @@ use bica_player::referee::{Identity, TeamForward};
 use bica_recording::{ReplayOptions, ReplayReport};
 
 use super::network::{PlayerNetwork, Ports};
+use super::team;
 use super::world::RefereedWorld;
-use crate::attacked::{self, ATTACKS, SKY_BLUE, YELLOW};
+use crate::attacked::{self, ATTACKS};
 use crate::cli::{ANYBODY, Play, RefereeArgs, World};
 use crate::colour_profile::ColourProfile;
 use crate::game::{Rules, WorldKind, open_world};
@@ -48,12 +49,11 @@ pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
         let network = PlayerNetwork::open(me, &ports)?;
         Ok(RefereedWorld::new(Box::new(open_world(&rules)?), network))
     };
-    let colour = if attacks == GoalColour::Yellow { YELLOW } else { SKY_BLUE };
     let app = App::<TeamForward, ColourProfile>::new("player").robot(maker(attacks)).try_world(WORLD, open);
     app.play(&RunArgs {
         world: WORLD.to_owned(),
         seed: args.seed,
-        option: [args.option.clone(), vec![format!("{ATTACKS}={colour}")]].concat(),
+        option: [args.option.clone(), vec![attacked::option(attacks)]].concat(),
         // The network runs in real time.
         realtime: true,
         seconds: args.seconds,
@@ -64,9 +64,10 @@ pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
     })
 }
 
-/// Replays the recording of a game; `None` if the recording is not of this world.
+/// Replays the recording of a game or of a robot in a match; `None` if the recording is of neither.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
-    attacked::replay(options, WORLD, maker)
+    let worlds = [WORLD, team::WORLD];
+    worlds.into_iter().find_map(|world| attacked::replay(options, world, maker))
 }
 
 /// Refuses, in a match, what uses another network than that of the rules.

@@ -30,21 +30,12 @@ impl World<TeamForward> for RefereedWorld {
     }
 
     fn sensors(&mut self) -> TeamSensors<'_> {
-        let now = self.world.now().as_micros();
-        let packet = self.network.receive(now);
-        let heard = self.network.team().receive(now);
-        let (me, ignored, refused) = (self.network.me(), self.network.ignored(), self.network.team().refused());
-        TeamSensors { body: self.world.sensors(), me, packet, ignored, heard, refused }
+        self.network.sensors(self.world.now().as_micros(), self.world.sensors())
     }
 
     fn act(&mut self, command: &TeamCommand) {
         self.world.act(&command.body);
-        if let Some(answer) = &command.answer {
-            self.network.send(answer);
-        }
-        if let Some(message) = &command.message {
-            self.network.team().send(message);
-        }
+        self.network.send(command);
     }
 
     fn actions(&mut self) -> Option<&mut dyn Actions> {

@@ -224,6 +224,49 @@ fn match_of_both_teams_writes_the_truth() {
     assert!(robots.iter().all(|robot| robot["x"].as_f64().is_some_and(|x| x < -1.0) && robot["fallen"] == false));
 }
 
+#[test]
+fn match_recordings_replay_bit_for_bit() {
+    let folder = Folder::new("match-recordings");
+    let games = folder.file("games");
+    let mut controller = Controller { message_budget: 1200, ..Controller::new() };
+    let (port, answers) = (controller.to.port().to_string(), controller.return_port());
+    let play = ["play", "--world", "team", "--teams", "5,23", "--players", "1", "--size", "160x120", "--seconds", "6"];
+    let ports = ["--control-port", &port, "--return-port", &answers, "--broadcast", "127.255.255.255", "--match"];
+    let mut game = player(&[&play[..], &ports, &["--record", &games]].concat());
+    let mut game = game.stdout(Stdio::piped()).spawn().expect("the program");
+    controller.to = SocketAddr::from(([127, 255, 255, 255], controller.to.port()));
+    controller.socket.set_broadcast(true).expect("a broadcast");
+    let start = Instant::now();
+    while game.try_wait().expect("a status").is_none() {
+        controller.send(Version::V20, PlayState::Playing);
+        while controller.receive().is_some() {}
+        assert!(start.elapsed() < PATIENCE, "the match does not end");
+    }
+    assert!(game.wait().expect("it ends").success());
+    for robot in ["5-1", "23-1"] {
+        let replayed = run(&["replay", &format!("{games}/{robot}.mcap")]);
+        assert!(replayed.code == Some(0) && replayed.stdout.contains("equal, bit for bit"), "{}", replayed.stdout);
+    }
+    let again = [&play[..], &["--record", &games]].concat();
+    refused(&again, &["5-1.mcap", "--force"]);
+    refused(&[&again[..], &["--images", "none"]].concat(), &["--images"]);
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_halves_do_not_depend_on_the_number_of_threads() {
+    let halves = |threads| {
+        let play = ["play", "--world", "team", "--teams", "5,23", "--players", "2", "--size", "160x120", "--idle"];
+        run(&[&play[..], &["--games", "2", "--seconds", "20", "--json", "--threads", threads]].concat()).json()
+    };
+    let one = halves("1");
+    assert_eq!(one, halves("2"));
+    let (team, half) = (&one["teams"][0], &one["halves"][1]);
+    assert_eq!((one["teams"].as_array().map(Vec::len), team["team"].as_u64()), (Some(1), Some(5)));
+    assert!(half["cycles"].as_u64().is_some_and(|cycles| cycles >= 2000), "{half}");
+    assert!(team["one_striker"].as_f64().is_some_and(|share| (0.9..=1.0).contains(&share)), "{team}");
+}
+
 /// The port in a line of strace that binds, connects or sends, as `sin_port=htons(3838)`.
 fn port(call: &str) -> Option<u16> {
     let (_, after) = call.split_once("htons(")?;
@@ -286,6 +329,9 @@ fn wrong_teams_players_and_scripts_are_refused() {
         (vec!["play", "--player", "2"], &["--referee"]),
         (vec!["play", "--world", "team"], &["--teams 5,23"]),
         (vec!["play", "--teams", "5,23"], &["--world team"]),
+        (vec!["play", "--world", "team", "--teams", "5,23", "--idle"], &["--games N"]),
+        (vec!["play", "--world", "team", "--teams", "5,23", "--games", "1", "--truth", "t"], &["--truth"]),
+        (vec!["play", "--world", "team", "--teams", "5,23", "--film", "f.gif"], &["--record FOLDER"]),
         (play(&["--team", "5", "--match", "--serve", "127.0.0.1:0"]), &["--match", "--serve"]),
         (vec!["referee", "--teams", "5,5"], &["two different numbers"]),
         (vec!["referee", "--players", "21"], &["21"]),

@@ -6,7 +6,7 @@ use bica_player::referee::packet::{Penalty, PlayState, SetPlay};
 
 /// Command of the referee.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Command {
+pub(in crate::referee) enum Command {
     /// Sets the state; for ready with the team that kicks off.
     State(PlayState, Option<u8>),
     /// Stops the game, or resumes it.

@@ -2,7 +2,6 @@
 
 use bica_player::referee::packet::{Control, Penalty, PlayState, SetPlay, Team, Version};
 
-use super::args::RefereeCommand;
 use super::command::Command;
 
 /// Duration of a half, s.
@@ -23,7 +22,7 @@ const PERIOD: f64 = 0.5;
 const QUICK: (f64, u8) = (0.2, 4);
 
 /// State of a game. Times are in seconds since the start.
-pub(super) struct Game {
+pub(in crate::referee) struct Game {
     control: Control,
     now: f64,
     /// Remaining time of the half, s.
@@ -41,20 +40,20 @@ pub(super) struct Game {
 }
 
 impl Game {
-    /// Creates a game before its first half.
-    pub(super) fn new(args: &RefereeCommand) -> Self {
+    /// Creates a game of two teams before its first half. Packets have the `version`; the state playing is shown `delay` s late.
+    pub(in crate::referee) fn new(teams: [u8; 2], players: u8, version: Version, delay: f64) -> Self {
         let team = |number| {
             let mut team = Team { number, goalkeeper: 1, message_budget: BUDGET, ..Team::default() };
-            team.players[args.players.into()..].iter_mut().for_each(|player| player.penalty = Penalty::Substitute);
+            team.players[players.into()..].iter_mut().for_each(|player| player.penalty = Penalty::Substitute);
             team
         };
-        let mut teams = args.teams.map(team);
+        let mut teams = teams.map(team);
         teams[1].field_colour = 1;
         let control = Control {
-            version: Version::of(args.packets).unwrap_or_default(),
-            players_per_team: args.players,
+            version,
+            players_per_team: players,
             first_half: true,
-            kicking_team: Some(args.teams[0]),
+            kicking_team: Some(teams[0].number),
             teams,
             ..Control::default()
         };
@@ -64,7 +63,7 @@ impl Game {
             clock: HALF,
             secondary: 0.0,
             penalties: [[0.0; 20]; 2],
-            delay: args.delay,
+            delay,
             shown_from: 0.0,
             next: 0.0,
             quick: 0,
@@ -75,7 +74,7 @@ impl Game {
     ///
     /// # Errors
     /// If the game has no such team, or the packet version has no such penalty.
-    pub(super) fn execute(&mut self, command: Command) -> Result<(), String> {
+    pub(in crate::referee) fn execute(&mut self, command: Command) -> Result<(), String> {
         match command {
             Command::State(state, kicking) => self.begin(state, kicking)?,
             Command::Stopped(stopped) => {
@@ -147,7 +146,7 @@ impl Game {
     }
 
     /// Advances the game to a time, s; returns a packet if one is due.
-    pub(super) fn advance(&mut self, now: f64) -> Option<Control> {
+    pub(in crate::referee) fn advance(&mut self, now: f64) -> Option<Control> {
         let seconds = (now - self.now).max(0.0);
         self.now = now;
         if self.control.state == PlayState::Playing && !self.control.stopped {
@@ -166,6 +165,24 @@ impl Game {
             self.control.number = self.control.number.wrapping_add(1);
             self.shown()
         })
+    }
+
+    /// Counts a message of a team, which was sent now, against its budget.
+    pub(in crate::referee) fn count_message(&mut self, team: u8) {
+        let is_game = matches!(self.control.state, PlayState::Ready | PlayState::Set | PlayState::Playing);
+        if let Some(team) = self.control.teams.iter_mut().find(|known| is_game && known.number == team) {
+            team.message_budget = team.message_budget.saturating_sub(1);
+        }
+    }
+
+    /// Remaining time of the half, s.
+    pub(in crate::referee) const fn clock(&self) -> f64 {
+        self.clock
+    }
+
+    /// State of the game.
+    pub(in crate::referee) const fn control(&self) -> &Control {
+        &self.control
     }
 
     /// Packet as it is sent: the state playing is shown as set until its delay has passed.
@@ -201,17 +218,7 @@ mod tests {
     use super::*;
 
     fn game(delay: f64) -> Game {
-        Game::new(&RefereeCommand {
-            teams: [5, 23],
-            players: 3,
-            to: std::net::Ipv4Addr::LOCALHOST,
-            control_port: 1,
-            return_port: 2,
-            packets: 20,
-            delay,
-            script: None,
-            seconds: None,
-        })
+        Game::new([5, 23], 3, Version::V20, delay)
     }
 
     fn command(game: &mut Game, line: &str) -> Result<(), String> {

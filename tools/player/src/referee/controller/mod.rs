@@ -7,4 +7,6 @@ mod players;
 mod run;
 
 pub(crate) use args::RefereeCommand;
+pub(super) use command::Command;
+pub(super) use game::Game;
 pub(crate) use run::run;

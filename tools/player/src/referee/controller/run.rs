@@ -8,7 +8,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use bica_app::{Console, Failure, Outcome, interrupt};
-use bica_player::referee::packet::{CONTROL_BYTES, Control, Status};
+use bica_player::referee::packet::{CONTROL_BYTES, Control, Status, Version};
 
 use super::args::RefereeCommand;
 use super::command::Command;
@@ -24,7 +24,7 @@ pub(crate) fn run(args: &RefereeCommand) -> Result<Outcome, Failure> {
     let console = Console::new(false);
     let commands = Commands::open(args)?;
     let network = Network { socket: open(args.return_port)?, to: SocketAddrV4::new(args.to, args.control_port) };
-    let mut loop_ = Loop { console, game: Game::new(args), players: Players::default(), commands, network, wait: 0.0 };
+    let mut loop_ = Loop { console, game: game(args), players: Players::default(), commands, network, wait: 0.0 };
     let start = Instant::now();
     loop {
         let now = start.elapsed().as_secs_f64();
@@ -36,6 +36,10 @@ pub(crate) fn run(args: &RefereeCommand) -> Result<Outcome, Failure> {
         }
         thread::sleep(BETWEEN);
     }
+}
+
+fn game(args: &RefereeCommand) -> Game {
+    Game::new(args.teams, args.players, Version::of(args.packets).unwrap_or_default(), args.delay)
 }
 
 /// Socket of the `GameController`.

@@ -1,0 +1,79 @@
+//! Figures of a series of halves.
+
+use bica_app::{Console, Failure};
+use serde::Serialize;
+
+use super::tally::Tally;
+use crate::cli::Play;
+
+/// Figures of a series; those of the second team are left out if it is idle.
+#[derive(Debug, Serialize)]
+pub(super) struct Figures {
+    schema: &'static str,
+    first_seed: u64,
+    teams: Vec<TeamFigures>,
+    halves: Vec<Tally>,
+}
+
+/// Figures of a team.
+#[derive(Debug, Serialize)]
+struct TeamFigures {
+    team: u8,
+    goals_per_half: f64,
+    own_goals: u32,
+    kicks_per_half: f64,
+    /// Share of the time in the state playing with exactly one striker.
+    one_striker: f64,
+    /// Longest time with several strikers or none, s.
+    longest_other_s: f64,
+    falls_per_robot_minute: f64,
+    collisions_per_robot_minute: f64,
+}
+
+impl Figures {
+    /// Computes the figures of the halves of a series.
+    pub(super) fn new(args: &Play, teams: [u8; 2], halves: Vec<Tally>) -> Self {
+        let all = halves.iter().fold(Tally::default(), |mut all, half| {
+            all.add(half);
+            all
+        });
+        let mean = |count: u32| f64::from(count) / halves.len().max(1) as f64;
+        let figures = |index: usize| TeamFigures {
+            team: teams[index],
+            goals_per_half: mean(all.goals[index]),
+            own_goals: all.own_goals[index],
+            kicks_per_half: mean(all.kicks[index]),
+            one_striker: all.striker_share(index),
+            longest_other_s: all.longest_other[index] as f64 * 0.01,
+            falls_per_robot_minute: all.per_robot_minute(all.falls[index]),
+            collisions_per_robot_minute: all.per_robot_minute(all.collisions[index]),
+        };
+        let playing = if args.referee.idle { 1 } else { 2 };
+        let teams = (0..playing).map(figures).collect();
+        Self { schema: "bica-player/halves/1", first_seed: args.seed, teams, halves }
+    }
+
+    /// Prints the figures.
+    pub(super) fn print(&self, console: Console) -> Result<(), Failure> {
+        let halves = &self.halves;
+        let last = self.first_seed.wrapping_add(halves.len().saturating_sub(1) as u64);
+        console.print_row("halves", &format!("{}   seeds {} to {last}", halves.len(), self.first_seed))?;
+        let goals = |half: &Tally| format!("{}:{}", half.goals[0], half.goals[1]);
+        console.print_row("results", &halves.iter().map(goals).collect::<Vec<_>>().join(" "))?;
+        self.teams.iter().try_for_each(|team| team.print(console))
+    }
+}
+
+impl TeamFigures {
+    fn print(&self, console: Console) -> Result<(), Failure> {
+        console.print(&format!("team {}", self.team))?;
+        let own = self.own_goals;
+        console.print_row("goals", &format!("{:.2} a half, {own} own goals", self.goals_per_half))?;
+        console.print_row("kicks", &format!("{:.1} a half", self.kicks_per_half))?;
+        let (share, longest) = (100.0 * self.one_striker, self.longest_other_s);
+        let text = format!("{share:.1} % of the time exactly one, at most {longest:.2} s without");
+        console.print_row("striker", &text)?;
+        console.print_row("falls", &format!("{:.3} per robot-minute", self.falls_per_robot_minute))?;
+        console.print_row("collisions", &format!("{:.2} per robot-minute", self.collisions_per_robot_minute))
+    }
+}

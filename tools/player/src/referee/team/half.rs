@@ -1,0 +1,117 @@
+//! A half in simulated time, under the commands of a small `GameController`.
+
+use bica_app::Failure;
+use bica_player::referee::Received;
+use bica_player::referee::packet::{PlayState, Version};
+use bica_tuning::Layers;
+
+use super::entrants::{field, identities};
+use super::player::Player;
+use super::radio::Radio;
+use super::tally::Tally;
+use super::teams::Teams;
+use crate::cli::Play;
+use crate::referee::controller::{Command, Game};
+use crate::referee::play::forward;
+
+/// Durations of the states ready and set, s.
+const READY: f64 = 45.0;
+const SET: f64 = 5.0;
+/// Address of the `GameController`.
+const SOURCE: [u8; 4] = [127, 0, 0, 1];
+
+/// A half.
+pub(super) struct Half {
+    teams: Teams<Radio>,
+    game: Game,
+    numbers: [u8; 2],
+    score: [usize; 2],
+    /// Time of the next change of the state, s.
+    next: f64,
+    tally: Tally,
+}
+
+impl Half {
+    /// Creates a half before its kick-off, which belongs to the first team if the seed is even.
+    pub(super) fn new(args: &Play, numbers: [u8; 2], seed: u64, layers: &Layers) -> Result<Self, Failure> {
+        let players = args.referee.players;
+        let everybody = identities(numbers, players);
+        let field = field(args, seed, &everybody)?;
+        let playing = if args.referee.idle { usize::from(players) } else { everybody.len() };
+        let player = |(index, me)| {
+            let mut forward = forward(field.truth(index).attacks());
+            layers.apply(&mut *forward)?;
+            Ok(Player::new(forward, Radio::new(me), None))
+        };
+        let robots = everybody.into_iter().take(playing).enumerate().map(player);
+        let robots = robots.collect::<Result<Vec<_>, Failure>>()?;
+        let mut game = Game::new(numbers, players, Version::V20, 0.0);
+        let first = numbers[(seed % 2) as usize];
+        order(&mut game, Command::Clock(args.seconds.unwrap_or(600.0) as i16))?;
+        order(&mut game, Command::State(PlayState::Ready, Some(first)))?;
+        let tally = Tally::new(usize::from(players), field.robots());
+        Ok(Self { teams: Teams::new(field, robots), game, numbers, score: [0; 2], next: READY, tally })
+    }
+
+    /// Plays the half; returns its figures.
+    pub(super) fn play(mut self) -> Result<Tally, Failure> {
+        while self.game.clock() > 0.0 {
+            self.cycle()?;
+        }
+        Ok(self.tally)
+    }
+
+    fn cycle(&mut self) -> Result<(), Failure> {
+        let now = self.teams.seconds();
+        self.command(now)?;
+        if let Some(control) = self.game.advance(now) {
+            let packet = Received { control, source: SOURCE, at_us: 10_000 * self.teams.cycle };
+            self.teams.players.iter_mut().for_each(|player| player.network.show(packet));
+        }
+        self.teams.step(1)?;
+        self.pass_messages();
+        if self.game.control().state == PlayState::Playing {
+            self.tally.count(&self.teams);
+        }
+        self.tally.skip(&self.teams.field);
+        Ok(())
+    }
+
+    /// Gives the commands that are due.
+    fn command(&mut self, now: f64) -> Result<(), Failure> {
+        let score = self.teams.field.score();
+        let state = self.game.control().state;
+        if let Some(team) = (0..2).find(|team| score[*team] > self.score[*team]) {
+            self.score = score;
+            if state == PlayState::Playing {
+                order(&mut self.game, Command::Goal(self.numbers[team]))?;
+                order(&mut self.game, Command::State(PlayState::Ready, None))?;
+                self.next = now + READY;
+            }
+        }
+        if now < self.next || state == PlayState::Playing {
+            return Ok(());
+        }
+        self.next = now + SET;
+        let next = if state == PlayState::Ready { PlayState::Set } else { PlayState::Playing };
+        if next == PlayState::Set {
+            // A robot at the centre keeps the ball where it is.
+            let _ = self.teams.field.put_ball(glam::Vec2::ZERO);
+        }
+        order(&mut self.game, Command::State(next, None))
+    }
+
+    /// Passes the messages of this cycle to the other players.
+    fn pass_messages(&mut self) {
+        let at_us = 10_000 * self.teams.cycle;
+        let sent: Vec<_> = self.teams.players.iter_mut().filter_map(|player| player.network.take()).collect();
+        for message in sent {
+            self.game.count_message(message.from.team);
+            self.teams.players.iter_mut().for_each(|player| player.network.hear(&message, at_us));
+        }
+    }
+}
+
+fn order(game: &mut Game, command: Command) -> Result<(), Failure> {
+    game.execute(command).map_err(|what| Failure::new(what, "give other --teams"))
+}

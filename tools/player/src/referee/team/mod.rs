@@ -1,0 +1,51 @@
+//! `play --world team`: a match of two teams in one world.
+
+mod entrants;
+mod figures;
+mod half;
+mod halves;
+mod player;
+mod radio;
+mod real_time;
+mod recording;
+mod tally;
+mod teams;
+mod truth;
+
+pub(super) use recording::WORLD;
+
+use bica_app::{Failure, Outcome};
+
+use super::play::refuse_other_network;
+use crate::cli::Play;
+
+/// Plays a match in real time, or with `--games` a series of halves in simulated time.
+pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
+    let Some(teams) = args.referee.teams else {
+        return Err(Failure::new("a match needs the numbers of its teams", "give --teams 5,23"));
+    };
+    refuse(args)?;
+    match args.games {
+        None => real_time::run(args, teams),
+        Some(games) => halves::run(args, teams, games),
+    }
+}
+
+/// Refuses options that a match does not support.
+fn refuse(args: &Play) -> Result<(), Failure> {
+    refuse_other_network(args)?;
+    let is_watched = args.pictures.is_some() || args.film.is_some();
+    if is_watched || args.link.address().is_some() {
+        let what = "a match has no pictures, films and links";
+        return Err(Failure::new(what, "leave out --pictures, --film and --serve; --record FOLDER records all robots"));
+    }
+    if args.games.is_none() && args.referee.idle {
+        let what = "--idle belongs to a series of halves, and this match follows a GameController";
+        return Err(Failure::new(what, "give --games N, too, or leave out --idle"));
+    }
+    if args.games.is_some() && args.referee.truth.is_some() {
+        let what = "--truth belongs to a match in real time, and a series of halves has its own clock";
+        return Err(Failure::new(what, "leave out --truth or --games"));
+    }
+    Ok(())
+}

@@ -1,0 +1,73 @@
+//! One robot of a match.
+
+use bica::Instant;
+use bica::runner::Runner;
+use bica_app::{Failure, RecordedFile};
+use bica_motion::robot::{Command, Sensors};
+use bica_player::referee::{TeamCommand, TeamForward, TeamSensors};
+use bica_recording::Recorder;
+use bica_sim::World;
+use bica_sim::kinematic::KinematicWorld;
+
+use super::recording::RobotRecording;
+use crate::referee::network::PlayerNetwork;
+
+/// What carries packets and messages between a robot and the others.
+pub(super) trait Network: Send {
+    /// Adds what has arrived until `now`, µs, to the sensor values of a body.
+    fn sensors<'a>(&mut self, now: u64, body: Sensors<'a>) -> TeamSensors<'a>;
+
+    /// Sends what a command has for the network.
+    fn send(&mut self, command: &TeamCommand);
+}
+
+impl Network for PlayerNetwork {
+    fn sensors<'a>(&mut self, now: u64, body: Sensors<'a>) -> TeamSensors<'a> {
+        self.sensors(now, body)
+    }
+
+    fn send(&mut self, command: &TeamCommand) {
+        self.send(command);
+    }
+}
+
+/// A robot with its network.
+pub(super) struct Player<N> {
+    runner: Runner<Box<TeamForward>, (), (), Option<Recorder>>,
+    file: Option<RecordedFile>,
+    pub(super) network: N,
+}
+
+impl<N: Network> Player<N> {
+    /// Creates a robot at its start, which may be recorded.
+    pub(super) fn new(forward: Box<TeamForward>, network: N, recording: Option<RobotRecording>) -> Self {
+        let (file, recorder) = recording.unzip();
+        Self { runner: Runner::new(forward, ()).with_observer(recorder), file, network }
+    }
+
+    /// Tree of the robot.
+    pub(super) fn forward(&self) -> &TeamForward {
+        self.runner.robot()
+    }
+
+    /// Plays a cycle.
+    pub(super) fn play(&mut self, now: Instant, world: &mut KinematicWorld) -> Result<Command, Failure> {
+        let sensors = self.network.sensors(now.as_micros(), world.sensors());
+        let taken = self.runner.sense(now, &sensors);
+        taken.map_err(|error| Failure::new(error.to_string(), "give a smaller --size"))?;
+        let command = self.runner.think(now);
+        self.network.send(&command);
+        Ok(command.body)
+    }
+
+    /// Returns why the recording ended before the match; only once.
+    pub(super) fn recording_ended(&self) -> Option<String> {
+        self.file.as_ref().and_then(RecordedFile::newly_ended)
+    }
+
+    /// Closes the recording; returns a line of text about it.
+    pub(super) fn close(&mut self) -> Option<String> {
+        let recorder = self.runner.observer_mut().take();
+        self.file.take().zip(recorder).map(|(file, recorder)| file.describe(&recorder.finish("end of the match")))
+    }
+}

@@ -1,0 +1,155 @@
+//! What is counted in a half.
+
+use bica::Tree;
+use bica_player::team::{Role, Roles};
+use bica_sim::kinematic::MatchField;
+use bica_sim::referee::Event;
+use serde::Serialize;
+
+use super::radio::Radio;
+use super::teams::Teams;
+
+/// Cycles of a minute.
+const MINUTE: f64 = 6000.0;
+
+/// Counts of a half, or of several ones. Pairs are of the first and the second team.
+#[derive(Clone, Debug, Default, Serialize)]
+pub(super) struct Tally {
+    /// Number of players of a team.
+    #[serde(skip)]
+    players: usize,
+    /// Cycles in the state playing.
+    pub(super) cycles: u64,
+    pub(super) goals: [u32; 2],
+    /// Goals of the other team that the own one has shot.
+    pub(super) own_goals: [u32; 2],
+    pub(super) kicks: [u32; 2],
+    pub(super) falls: [u32; 2],
+    pub(super) collisions: [u32; 2],
+    /// Cycles with exactly one striker.
+    pub(super) one_striker: [u64; 2],
+    /// Longest time with several strikers or none, cycles.
+    pub(super) longest_other: [u64; 2],
+    #[serde(skip)]
+    other: [u64; 2],
+    /// Events of each robot that were read.
+    #[serde(skip)]
+    read: Vec<usize>,
+    /// Team that has touched the ball last.
+    #[serde(skip)]
+    last_touch: Option<usize>,
+}
+
+impl Tally {
+    /// Creates the counts of a field with a number of robots, `players` in each team.
+    pub(super) fn new(players: usize, robots: usize) -> Self {
+        Self { players, read: vec![0; robots], ..Self::default() }
+    }
+
+    /// Counts a cycle in the state playing.
+    pub(super) fn count(&mut self, teams: &Teams<Radio>) {
+        self.cycles += 1;
+        for robot in 0..teams.field.robots() {
+            let team = robot / self.players;
+            for timed in &teams.field.truth(robot).events()[self.read[robot]..] {
+                self.event(team, robot == 0, &timed.event);
+            }
+        }
+        for (team, players) in teams.players.chunks(self.players).enumerate() {
+            let is_striker = |player: &&_| role(player) == Role::Striker;
+            let is_one = players.iter().filter(is_striker).count() == 1;
+            self.one_striker[team] += u64::from(is_one);
+            self.other[team] = if is_one { 0 } else { self.other[team] + 1 };
+            self.longest_other[team] = self.longest_other[team].max(self.other[team]);
+        }
+    }
+
+    /// Reads the events of the cycle, which do not count a second time.
+    pub(super) fn skip(&mut self, field: &MatchField) {
+        for (robot, read) in self.read.iter_mut().enumerate() {
+            *read = field.truth(robot).events().len();
+        }
+    }
+
+    /// Counts an event of a robot; goals are those of the first robot's world.
+    fn event(&mut self, team: usize, is_first: bool, event: &Event) {
+        match event {
+            Event::Goal | Event::OwnGoal if is_first => {
+                let scorer = if *event == Event::Goal { 0 } else { 1 };
+                self.goals[scorer] += 1;
+                if self.last_touch == Some(1 - scorer) {
+                    self.own_goals[1 - scorer] += 1;
+                }
+            }
+            Event::Touch { .. } => self.last_touch = Some(team),
+            Event::Kick { .. } => self.kicks[team] += 1,
+            Event::Fall(_) => self.falls[team] += 1,
+            Event::Collision => self.collisions[team] += 1,
+            _ => {}
+        }
+    }
+
+    /// Adds the counts of another half.
+    pub(super) fn add(&mut self, other: &Self) {
+        self.players = other.players;
+        self.cycles += other.cycles;
+        for team in 0..2 {
+            self.goals[team] += other.goals[team];
+            self.own_goals[team] += other.own_goals[team];
+            self.kicks[team] += other.kicks[team];
+            self.falls[team] += other.falls[team];
+            self.collisions[team] += other.collisions[team];
+            self.one_striker[team] += other.one_striker[team];
+            self.longest_other[team] = self.longest_other[team].max(other.longest_other[team]);
+        }
+    }
+
+    /// Share of the time with exactly one striker in a team.
+    pub(super) fn striker_share(&self, team: usize) -> f64 {
+        self.one_striker[team] as f64 / self.cycles.max(1) as f64
+    }
+
+    /// A number for each minute of each robot of a team.
+    pub(super) fn per_robot_minute(&self, count: u32) -> f64 {
+        let minutes = self.cycles as f64 / MINUTE * self.players as f64;
+        f64::from(count) / minutes.max(f64::MIN_POSITIVE)
+    }
+}
+
+fn role(player: &super::player::Player<Radio>) -> Role {
+    player.forward().get::<Roles>().role()
+}
+
+#[cfg(test)]
+mod tests {
+    use bica_motion::side::Side;
+
+    use super::*;
+
+    #[test]
+    fn goals_of_the_last_toucher_against_it_are_own_goals() {
+        let mut tally = Tally::new(2, 4);
+        let touch = Event::Touch { foot: Side::Left };
+        // The second team's view of a goal does not count.
+        for (team, is_first, event) in [
+            (0, true, touch),
+            (0, true, Event::Goal),
+            (1, false, Event::OwnGoal),
+            (1, false, touch),
+            (0, true, Event::Goal),
+            (0, true, Event::OwnGoal),
+        ] {
+            tally.event(team, is_first, &event);
+        }
+        assert_eq!((tally.goals, tally.own_goals), ([2, 1], [0, 1]));
+    }
+
+    #[test]
+    fn rates_are_those_of_all_halves() {
+        let half = Tally { cycles: 6000, one_striker: [3000, 6000], falls: [1, 3], ..Tally::new(3, 6) };
+        let mut all = Tally::default();
+        (0..2).for_each(|_| all.add(&half));
+        assert_eq!((all.striker_share(0), all.striker_share(1)), (0.5, 1.0));
+        assert!((all.per_robot_minute(all.falls[1]) - 1.0).abs() < 1e-9);
+    }
+}

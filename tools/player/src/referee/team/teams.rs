@@ -1,0 +1,66 @@
+//! The robots of two teams on their field.
+
+use std::thread::{self, ScopedJoinHandle};
+use std::time::Duration;
+
+use bica::Instant;
+use bica_app::Failure;
+use bica_motion::model::simulation::NAO;
+use bica_motion::robot::Command;
+use bica_sim::kinematic::{KinematicWorld, MatchField};
+
+use super::player::{Network, Player};
+
+/// Duration of a cycle.
+pub(super) const CYCLE: Duration = Duration::from_millis(10);
+
+/// The robots of a match. Those that have no player stand.
+pub(super) struct Teams<N> {
+    pub(super) field: MatchField,
+    pub(super) players: Vec<Player<N>>,
+    commands: Vec<Command>,
+    pub(super) cycle: u64,
+}
+
+impl<N: Network> Teams<N> {
+    /// Creates a match: the first robots of the field have these players.
+    pub(super) fn new(field: MatchField, players: Vec<Player<N>>) -> Self {
+        let commands = vec![Command::new(NAO.stand, 1.0); field.robots()];
+        Self { field, players, commands, cycle: 0 }
+    }
+
+    /// Time since the start, s.
+    pub(super) fn seconds(&self) -> f64 {
+        self.cycle as f64 * CYCLE.as_secs_f64()
+    }
+
+    /// Plays a cycle, the robots on a number of threads.
+    pub(super) fn step(&mut self, threads: usize) -> Result<(), Failure> {
+        let now = Instant::from_millis(10 * self.cycle);
+        let share = self.players.len().div_ceil(threads).max(1);
+        let worlds = self.field.worlds_mut().chunks_mut(share);
+        let mut shares = worlds.zip(self.players.chunks_mut(share)).zip(self.commands.chunks_mut(share));
+        type Share<'a, N> = ((&'a mut [KinematicWorld], &'a mut [Player<N>]), &'a mut [Command]);
+        let play = |((worlds, players), commands): Share<'_, N>| -> Result<(), Failure> {
+            for ((world, player), command) in worlds.iter_mut().zip(players).zip(commands) {
+                *command = player.play(now, world)?;
+            }
+            Ok(())
+        };
+        if threads == 1 {
+            shares.try_for_each(play)?;
+        } else {
+            thread::scope(|scope| {
+                let threads: Vec<_> = shares.map(|share| scope.spawn(move || play(share))).collect();
+                threads.into_iter().try_for_each(ended)
+            })?;
+        }
+        self.field.act(&self.commands);
+        self.cycle += 1;
+        Ok(())
+    }
+}
+
+fn ended(thread: ScopedJoinHandle<'_, Result<(), Failure>>) -> Result<(), Failure> {
+    thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+}
