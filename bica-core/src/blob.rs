@@ -82,12 +82,13 @@ mod impls {
     }
 }
 
-/// Derives what a type of outputs, sensor values or commands needs, with the attributes in the first braces, for the item in the second.
+/// Derives what a type of outputs, sensor values or commands needs, with the attributes in the first braces, for the item in the second;
+/// the fourth braces have the items beside it.
 #[cfg(any(feature = "info", feature = "wire"))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __data {
-    ({ $($attributes:tt)* } { $($item:tt)* } { $($plain:tt)* }) => {
+    ({ $($attributes:tt)* } { $($item:tt)* } { $($plain:tt)* } { $($beside:tt)* }) => {
         #[derive(
             $crate::__private::serde::Serialize,
             $crate::__private::serde::Deserialize,
@@ -95,6 +96,7 @@ macro_rules! __data {
         )]
         $($attributes)*
         $($item)*
+        $($beside)*
     };
 }
 
@@ -103,5 +105,5 @@ macro_rules! __data {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __data {
-    ({ $($attributes:tt)* } { $($item:tt)* } { $($plain:tt)* }) => { $($plain)* };
+    ({ $($attributes:tt)* } { $($item:tt)* } { $($plain:tt)* } { $($beside:tt)* }) => { $($plain)* };
 }

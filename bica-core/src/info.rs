@@ -72,6 +72,34 @@ pub trait Information: serde::Serialize + postcard_schema::Schema {}
 #[diagnostic::do_not_recommend]
 impl<V: serde::Serialize + postcard_schema::Schema + ?Sized> Information for V {}
 
+/// A type that a field of a type with `#[data]` can have.
+#[cfg(any(feature = "info", feature = "wire"))]
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is a part of a type with `#[data]` and does not travel itself",
+    label = "has a field of type `{Self}`",
+    note = "write `#[data]` before that struct or enum; of a type of another crate, copy the values into a struct of your own"
+)]
+pub trait Part: serde::Serialize + serde::de::DeserializeOwned + postcard_schema::Schema {}
+
+#[cfg(any(feature = "info", feature = "wire"))]
+#[diagnostic::do_not_recommend]
+impl<V: serde::Serialize + serde::de::DeserializeOwned + postcard_schema::Schema> Part for V {}
+
+/// A type of which a field of a type with `#[data]` can be a long array.
+#[cfg(any(feature = "info", feature = "wire"))]
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be an element of a long array in a type with `#[data]`",
+    label = "an array of `{Self}` that may have more than 32 elements",
+    note = "write `#[data]` and `#[derive(Clone, Copy, Default)]` before `{Self}`"
+)]
+pub trait Element: Part + Copy + Default {}
+
+#[cfg(any(feature = "info", feature = "wire"))]
+#[diagnostic::do_not_recommend]
+impl<V: Part + Copy + Default> Element for V {}
+
 /// A type that an output can have: any, as the feature `info` is not enabled.
 #[cfg(not(feature = "info"))]
 pub trait Information {}

@@ -89,6 +89,13 @@ pub trait Params: Sized + 'static {
     const DEFAULT: Self;
     /// The description.
     const GROUP: ParamGroup;
+    /// The struct. Of a type that is none the compiler knows no fields, and reports that once.
+    #[doc(hidden)]
+    type Itself;
+
+    /// The struct, to read a field of it.
+    #[doc(hidden)]
+    fn itself(&self) -> &Self::Itself;
 
     /// Reads the parameter of that index, its place in the struct.
     fn get(&self, index: usize) -> Option<Value>;

@@ -35,6 +35,8 @@ pub use crate::visual::{Frame, Placement, Visual};
 pub use crate::work::{Jobs, Work, WorkCell, WorkOf, WorkSlot, Working};
 
 #[cfg(any(feature = "info", feature = "wire"))]
+pub use crate::info::{Element, Part};
+#[cfg(any(feature = "info", feature = "wire"))]
 #[path = "long_array.rs"]
 pub mod long_array;
 #[cfg(any(feature = "info", feature = "wire"))]
@@ -45,6 +47,14 @@ pub use {postcard_schema, serde};
 pub const fn doc(text: &'static str) -> &'static str {
     if cfg!(feature = "terse") { "" } else { text }
 }
+
+/// Accepts a type that can be a part of one with `#[data]`.
+#[cfg(any(feature = "info", feature = "wire"))]
+pub const fn part<V: Part>() {}
+
+/// Accepts a type that can be an element of a long array in one with `#[data]`.
+#[cfg(any(feature = "info", feature = "wire"))]
+pub const fn element<V: Element>() {}
 
 /// Placement of an output of type `V`.
 #[must_use]

@@ -1,10 +1,13 @@
 //! `#[data]` and `#[derive(ComponentDoc)]`: parse → expand.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::{ToTokens, quote, quote_spanned};
+use syn::{DeriveInput, Path};
 
-use bica_syntax::plain_item;
+use crate::expand::quoting::{at, placed};
+use bica_syntax::plain_item::{self, Part};
 use bica_syntax::report::Report;
+use bica_syntax::text;
 
 /// Expands `#[data(options)] item`: the framework's macro `data` derives what the item needs.
 pub(crate) fn data(options: TokenStream, item: &TokenStream) -> TokenStream {
@@ -17,19 +20,48 @@ pub(crate) fn data(options: TokenStream, item: &TokenStream) -> TokenStream {
     // Serde reads its path from a text.
     let serde = format!("{}::__private::serde", krate.to_token_stream()).replace(' ', "");
     let marked = plain_item::data(item, &krate);
+    let input = syn::parse2::<DeriveInput>(item.clone()).ok();
+    let parts = input.as_ref().map(plain_item::parts).unwrap_or_default();
+    let (bounds, asserted) = bounds(&parts, &krate).unzip();
     quote! {
         #krate::__private::data! {
-            { #[serde(crate = #serde)] #[postcard(crate = #krate::__private::postcard_schema)] }
+            {
+                #[serde(crate = #serde)] #[postcard(crate = #krate::__private::postcard_schema)]
+                #bounds
+            }
             { #marked }
             { #item }
+            { #asserted }
         }
     }
+}
+
+/// The bounds of the derived traits on the types of the fields, and the one place where the compiler finds that a type lacks them.
+/// `for<'part>` defers the bounds, which name no parameter, to where the traits are used.
+fn bounds(parts: &[Part], krate: &Path) -> Option<(TokenStream, TokenStream)> {
+    let path = format!("{}::__private", krate.to_token_stream()).replace(' ', "");
+    let bounds: Vec<_> = parts
+        .iter()
+        .map(|part| {
+            let kind = if part.in_long_array { "Element" } else { "Part" };
+            format!("for<'part> {}: {path}::{kind}", text::written(part.ty))
+        })
+        .collect();
+    let bounds = bounds.join(", ");
+    let asserted = parts.iter().map(|part| {
+        let (ty, krate) = (part.ty, placed(&krate.to_token_stream(), at(part.ty)));
+        let called = if part.in_long_array { quote!(element) } else { quote!(part) };
+        quote_spanned!(at(ty) => #krate::__private::#called::<#ty>();)
+    });
+    (!parts.is_empty()).then(|| {
+        (quote!(#[serde(bound = #bounds)] #[postcard(bound = #bounds)]), quote!(const _: () = { #(#asserted)* };))
+    })
 }
 
 /// Refuses an attribute of earlier programs, and does what its successor does, so that nothing else is reported.
 pub(crate) fn earlier(attribute: &str, options: TokenStream, item: &TokenStream) -> TokenStream {
     let error = plain_item::earlier(attribute, item).to_compile_error();
-    if syn::parse2::<syn::DeriveInput>(item.clone()).is_err() {
+    if syn::parse2::<DeriveInput>(item.clone()).is_err() {
         return quote!(#item #error);
     }
     let expanded = data(options, item);

@@ -2,9 +2,10 @@
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::{Data, DeriveInput, Expr, ExprLit, Field, Lit, Path, Token, Type, parse_quote};
+use syn::{Attribute, Data, DeriveInput, Expr, ExprLit, Field, Lit, Path, Token, Type, parse_quote};
 
 use crate::report::Report;
+use crate::types::plain;
 use crate::{text, wording};
 
 /// Largest number of elements for which arrays implement serde's traits.
@@ -64,6 +65,46 @@ pub fn data(item: &TokenStream, krate: &Path) -> TokenStream {
         Data::Union(_) => {}
     }
     input.into_token_stream()
+}
+
+/// A type of fields, without their arrays, that has to travel itself.
+pub struct Part<'a> {
+    /// The type.
+    pub ty: &'a Type,
+    /// Whether a field is an array of it that may have more than `MAX_ARRAY` elements.
+    pub in_long_array: bool,
+}
+
+/// The types of fields that have to travel themselves, each once. A field that borrows and one with serde's attributes have their own
+/// rules; a type with parameters has serde's bounds.
+#[must_use]
+pub fn parts(input: &DeriveInput) -> Vec<Part<'_>> {
+    let is_serde = |attributes: &[Attribute]| attributes.iter().any(|one| one.path().is_ident("serde"));
+    if input.generics.type_params().next().is_some() || is_serde(&input.attrs) {
+        return Vec::new();
+    }
+    let fields: Vec<&Field> = match &input.data {
+        Data::Struct(data) => data.fields.iter().collect(),
+        Data::Enum(data) => data.variants.iter().flat_map(|variant| &variant.fields).collect(),
+        Data::Union(_) => Vec::new(),
+    };
+    let mut parts: Vec<Part> = Vec::new();
+    for field in fields.into_iter().filter(|field| !is_serde(&field.attrs)) {
+        let (ty, in_long_array) = (element(&field.ty), may_be_long(&field.ty));
+        let written = text::written(ty);
+        match parts.iter_mut().find(|known| text::written(known.ty) == written) {
+            Some(known) => known.in_long_array |= in_long_array,
+            // `$crate` of a `macro_rules` macro cannot be read back from a text.
+            None if !written.contains(['&', '\'', '$']) => parts.push(Part { ty, in_long_array }),
+            None => {}
+        }
+    }
+    parts
+}
+
+/// The type of the elements of arrays in arrays.
+fn element(ty: &Type) -> &Type {
+    if let Type::Array(array) = plain(ty) { element(&array.elem) } else { plain(ty) }
 }
 
 /// Whether a type is an array whose length is no literal up to [`MAX_ARRAY`].

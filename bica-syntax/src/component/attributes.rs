@@ -14,7 +14,7 @@ use crate::report::{Mistake, coded};
 use crate::{text, wording};
 
 /// Names from other frameworks for our attributes.
-const SYNONYMS: [(&str, &str); 16] = [
+const SYNONYMS: [(&str, &str); 20] = [
     ("enter", "entry"),
     ("on_entry", "entry"),
     ("on_enter", "entry"),
@@ -28,6 +28,10 @@ const SYNONYMS: [(&str, &str); 16] = [
     ("action", "modulation"),
     ("initial", "state(initial)"),
     ("last", "state(last)"),
+    ("done", "state(done)"),
+    ("success", "state(done)"),
+    ("failed", "state(failed)"),
+    ("failure", "state(failed)"),
     ("job", "work"),
     ("task", "work"),
     ("background", "work"),
@@ -129,7 +133,7 @@ pub fn state(attribute: &Attribute) -> Result<StateWords, Mistake> {
             "done" => Some(End::Done),
             "failed" => Some(End::Failed),
             other => {
-                let nearest = text::nearest(other, STATE_WORDS.into_iter());
+                let nearest = End::meant(other).or_else(|| text::nearest(other, STATE_WORDS.into_iter()));
                 return Err(Mistake::new(&word, Code::unknown_key(other, nearest, KNOWN_STATE_WORDS)));
             }
         };

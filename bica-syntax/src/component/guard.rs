@@ -52,7 +52,8 @@ pub(super) fn parse(input: ParseStream) -> Result<Guard, Mistake> {
         }
         let key: Ident = Ident::parse_any(input).map_err(|found| syn::Error::new(found.span(), wording::TIMER))?;
         if seen.contains(&key) {
-            return Err(syn::Error::new(key.span(), wording::TWICE).into());
+            let problem = if key == "when" { wording::ONE_RESULT } else { wording::TWICE };
+            return Err(syn::Error::new(key.span(), problem).into());
         }
         one(input, &key, &mut guard)?;
         seen.push(key);
@@ -112,27 +113,34 @@ fn when(input: ParseStream, key: &Ident) -> Result<When, Mistake> {
         "done" => End::Done,
         "failed" => End::Failed,
         other => {
-            let nearest = match other {
-                "success" | "succeeded" | "ok" | "finished" => Some("done"),
-                "failure" | "error" | "err" => Some("failed"),
-                _ => text::nearest(other, ["done", "failed"].into_iter()),
-            };
+            if !input.peek(syn::token::Paren) {
+                return Err(syn::Error::new(end.span(), wording::WHEN_FORM).into());
+            }
+            let nearest = End::meant(other).or_else(|| text::nearest(other, ["done", "failed"].into_iter()));
             return Err(Mistake::new(&end, Code::unknown_key(other, nearest, "`done` and `failed`")));
         }
     };
-    let child = parenthesised(input).map_err(form)?;
+    let child = child(input, form)?;
     match &child {
         Type::Path(_) => Ok(When { end: read, child: TypeText(child) }),
         _ => Err(syn::Error::new_spanned(child, wording::WHEN_FORM).into()),
     }
 }
 
-/// `(Reach)`
-fn parenthesised(input: ParseStream) -> syn::Result<Type> {
-    let content;
-    parenthesized!(content in input);
-    let child: Type = content.parse()?;
-    if content.is_empty() { Ok(child) } else { Err(content.error("")) }
+/// `(Reach)`, and nothing that would join another result
+fn child(input: ParseStream, form: impl Fn(syn::Error) -> syn::Error) -> syn::Result<Type> {
+    let parser = |input: ParseStream| {
+        let content;
+        parenthesized!(content in input);
+        let child = content.parse()?;
+        Ok((child, (!content.is_empty()).then(|| content.error(wording::ONE_RESULT))))
+    };
+    let (child, second) = parser(input).map_err(form)?;
+    match second {
+        Some(second) => Err(second),
+        None if input.peek(Token![|]) || input.peek(Token![&]) => Err(input.error(wording::ONE_RESULT)),
+        None => Ok(child),
+    }
 }
 
 /// `= 3`

@@ -16,9 +16,11 @@ const KEYS: [&str; 4] = ["hz", "budget_us", "resume", "writers"];
 const KNOWN: &str = "`hz`, `budget_us`, `resume` and `writers`";
 
 /// Names that a user may try, and the option that was meant.
-const SYNONYMS: [(&str, &str); 12] = [
+const SYNONYMS: [(&str, &str); 14] = [
     ("writer", "writers"),
     ("written", "writers"),
+    ("first", "writers"),
+    ("last", "writers"),
     ("rate", "hz"),
     ("rate_hz", "hz"),
     ("cycle_hz", "hz"),

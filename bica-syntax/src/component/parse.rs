@@ -315,6 +315,9 @@ fn hook(component: &mut Component, function: &mut block::Function, attribute: &A
     let role = roles::role(attribute).unwrap_or_default();
     let form = if role == "entry" { Form::Entry } else { Form::Step };
     let takes = found::is_taken(&function.signature);
+    if role == "before" {
+        signature::writes(&function.signature, component.own(), report);
+    }
     let function = called(component, function, form, report);
     component.incomplete |= takes && function.found().is_none();
     let Some(states) = report.take(attributes::hook(attribute, role)) else {

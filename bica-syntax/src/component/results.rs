@@ -4,7 +4,7 @@ use syn::Type;
 
 use super::arguments::is_own;
 use super::links::Links;
-use super::model::{Component, Machine, Sources, Transition, When};
+use super::model::{Component, Machine, Sources, Timer, Transition, When};
 use crate::report::Report;
 use crate::{text, wording};
 
@@ -13,6 +13,11 @@ pub(super) fn check(component: &Component, machine: &Machine, report: &mut Repor
     for transition in &component.transitions {
         if transition.arrow.guard.bare {
             on_its_state(transition, report);
+        }
+        if let Some(Timer::Parameter(timer)) = &transition.arrow.guard.timer
+            && is_own(&timer.of.0, component.own())
+        {
+            report.add(&timer.of.0, wording::OWN_TIMER);
         }
         if let Some(when) = &transition.arrow.guard.when {
             of_a_child(component, machine, transition, when, report);
@@ -51,7 +56,12 @@ fn of_a_child(component: &Component, machine: &Machine, transition: &Transition,
         let has = || Links::of_state(machine, index).iter().any(|(_, one)| last(one) == last(child));
         (leaves(&name) && !has()).then_some(name)
     });
+    let is_role =
+        |kind: &Type| matches!(kind, Type::ImplTrait(role) if Some(text::written(&role.bounds)) == last(child));
     if let Some(state) = without {
+        if Links::of_state(machine, 0).iter().any(|(_, one)| is_role(one)) {
+            return report.add(child, wording::role_result(&text::written(child)));
+        }
         report.add(child, wording::no_child_in(&text::written(child), &state));
     }
 }

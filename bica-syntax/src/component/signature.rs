@@ -130,6 +130,15 @@ fn receiver(signature: &Signature, own: &Type, form: Form, report: &mut Report) 
     }
 }
 
+/// Reports a function before transitions that cannot keep for them what it finds.
+pub(super) fn writes(signature: &Signature, own: &Type, report: &mut Report) {
+    if let Some(FnArg::Receiver(receiver)) = signature.inputs.first()
+        && taken(receiver, own) == Taken::Shared
+    {
+        report.add(receiver, wording::BEFORE_READS);
+    }
+}
+
 fn taken(receiver: &Receiver, own: &Type) -> Taken {
     let mutable = match &receiver.kind {
         ReceiverKind::Reference(_, _, mutable) => mutable.is_some(),

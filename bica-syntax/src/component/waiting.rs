@@ -85,6 +85,15 @@ impl End {
             Self::Failed => "failed",
         }
     }
+
+    /// The word for what other frameworks call otherwise.
+    pub(super) fn meant(written: &str) -> Option<&'static str> {
+        match written {
+            "success" | "succeeded" | "ok" | "finished" => Some("done"),
+            "failure" | "error" | "err" => Some("failed"),
+            _ => None,
+        }
+    }
 }
 
 /// A type that is compared by its text.

@@ -45,8 +45,12 @@ pub(crate) const TIMER: &str = "only `after_ms = 1500`, `after`, `when` and `tim
 pub(crate) const TWO_TIMERS: &str = "a transition has one timer: remove `after_ms` or `after`";
 pub(crate) const AFTER_FORM: &str =
     "`after` takes a parameter of the component, `after = Params::field`: for a constant write `after_ms = 1500`";
+pub(crate) const OWN_TIMER: &str =
+    "the fields of a component are no parameters: name a struct with `#[derive(Params)]`, `after = Params::field`";
 pub(crate) const WHEN_FORM: &str =
     "`when` takes the result of a child: write `when = done(Child)` or `when = failed(Child)`";
+pub(crate) const ONE_RESULT: &str = "a transition waits for one result: write a `#[transition]` of its own for each result, or \
+                                     read several children in its function";
 pub(crate) const TIMES_WITHOUT_WHEN: &str =
     "`times` counts the answers to a result: add `when = failed(Child)`, or remove this";
 pub(crate) const WAITS_FOR_NOTHING: &str = "no function decides about this transition: add `when = done(Child)` or \
@@ -63,6 +67,9 @@ messages! {
     no_child_in(child, state) =
         "`{child}` is no child in state `{state}`, which this transition leaves: add an argument `&mut {child}` to its \
          function, or name a child of it";
+    role_result(role) =
+        "`{role}` is a role, whose component may have no result: add a method to `{role}` that returns whether it has \
+         ended, and call it in a function of this transition";
     bare_carries_nothing(state, hook, of) =
         "entry hook `{hook}` of state `{state}` takes a `{of}`, and a transition on a state carries none: move it to a \
          function that returns `Option<{of}>`, or take nothing in `{hook}`";
@@ -219,6 +226,7 @@ pub(crate) const HOOK_LINKS: &str = "a `start` or `stop` hook takes only `&Tuned
 pub(crate) const OWN_LINK: &str = "a component cannot activate itself: remove this argument and use `self`";
 pub(crate) const TRANSITION_WRITES: &str =
     "a transition only reads: write `&`, and change things in an `#[entry]` or `#[exit]` hook";
+pub(crate) const BEFORE_READS: &str = "a `#[before]` stores what the transitions read: write `&mut self`, or call a method `fn(&self)` in each transition";
 pub(crate) const RATE_IN_CONDITION: &str =
     "a transition cannot modulate a rate: move this argument to a state, or to an `#[entry]` or `#[exit]` hook";
 pub(crate) const RATE_OF_WHAT: &str = "a rate belongs to a component: write `&mut Rate<Child>`";

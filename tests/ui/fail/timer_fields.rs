@@ -24,4 +24,19 @@ impl Boss {
     fn rest(&mut self) {}
 }
 
+struct Reach;
+
+struct Follower;
+#[component]
+impl Follower {
+    const fn new() -> Self { Self }
+
+    #[state(initial)]
+    #[transition(work -> rest, after = Reach::pause)]
+    fn work(&mut self) {}
+
+    #[state(last)]
+    fn rest(&mut self) {}
+}
+
 fn main() {}

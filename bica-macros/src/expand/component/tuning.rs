@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::Type;
+use syn::spanned::Spanned;
 
 use super::call::nested;
 use crate::expand::quoting::{at, placed, runtime};
@@ -36,9 +37,12 @@ impl Tuning {
         let (kind, field, place) = (&timer.of.0, &timer.field, at(&timer.field));
         let (values, p) = (self.argument(kind), placed(&runtime(), place));
         let number = quote_spanned!(place => #p::Timer::milliseconds(values.#field));
+        // At the very token: the compiler finds what is no struct of parameters twice, and reports it once.
+        let (params, call) = (placed(&runtime(), kind.span()), quote_spanned!(kind.span() => itself(#values)));
+        let own = quote_spanned!(kind.span() => <#kind as #params::Params>::#call);
         quote! {{
             let tuned = cycle.tuned::<Self>();
-            let values: &#kind = #values;
+            let values = #own;
             #number
         }}
     }

@@ -24,7 +24,7 @@ pub(crate) fn params(params: &Params) -> TokenStream {
         params.fields.iter().enumerate().map(|(place, field)| {
             describe::assertions(&p, field, &quote!(<#name as #p::Params>::GROUP.params[#place]))
         });
-    let access = access(params, &p);
+    let (access, itself) = (access(params, &p), itself());
     let each = (0..params.checks.len()).map(|index| {
         let rule = rule_name(index);
         quote!(self.#rule()?;)
@@ -44,6 +44,8 @@ pub(crate) fn params(params: &Params) -> TokenStream {
             const DEFAULT: Self = Self { #(#names: #defaults),* };
             const GROUP: #p::ParamGroup =
                 #p::ParamGroup { name: #label, doc: #p::doc(#doc), params: &[#(#descriptions),*] };
+
+            #itself
 
             #access
             #check
@@ -118,16 +120,29 @@ fn rules(params: &Params, p: &TokenStream) -> TokenStream {
     params.checks.iter().enumerate().map(rule).collect()
 }
 
+fn itself() -> TokenStream {
+    quote! {
+        type Itself = Self;
+
+        #[inline]
+        fn itself(&self) -> &Self {
+            self
+        }
+    }
+}
+
 /// The mistakes, and a struct without parameters, so that one mistake gives one message.
 pub(crate) fn stub(params: &Params, report: &Report) -> TokenStream {
     let (name, krate, errors) = (&params.name, &params.krate, report.to_compile_errors());
     let p = runtime();
     let Some(default) = any_values(params).filter(|_| !params.generic) else { return errors };
+    let itself = itself();
     let items = quote! {
         #[automatically_derived]
         impl #p::Params for #name {
             const DEFAULT: Self = #default;
             const GROUP: #p::ParamGroup = #p::ParamGroup { name: "", doc: "", params: &[] };
+            #itself
             fn get(&self, _: ::core::primitive::usize) -> ::core::option::Option<#p::Value> {
                 ::core::option::Option::None
             }
