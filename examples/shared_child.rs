@@ -34,16 +34,22 @@ impl Goal {
     fn step(&mut self, camera: &Camera) {}
 }
 
-/// Requires the ball in every cycle, and the goal in every other second.
-struct Striker;
+/// Requires the ball in every cycle, and the goal in every other second. What it knows of the goal has an age.
+struct Striker {
+    goal_age: Option<Duration>,
+}
 
 #[component]
 impl Striker {
     #[state(initial)]
-    fn chase(&mut self, ball: &Ball) {}
+    fn chase(&mut self, ball: &Ball, age: &Age<Goal>) {
+        self.goal_age = age.since_run();
+    }
 
     #[state]
-    fn aim(&mut self, ball: &Ball, goal: &Goal) {}
+    fn aim(&mut self, ball: &Ball, goal: &Goal, age: &Age<Goal>) {
+        self.goal_age = age.since_run();
+    }
 
     #[transition(chase -> aim, after_ms = 1000)]
     #[transition(aim -> chase, after_ms = 1000)]
@@ -57,7 +63,7 @@ activation_tree! {
         root: Striker,
         cycle_hz: 100,
         // Each component is `new()`, unless the list gives a value.
-        components: [Striker = Striker, Ball = Ball, Goal = Goal, Camera],
+        components: [Striker = Striker { goal_age: None }, Ball = Ball, Goal = Goal, Camera],
     }
 }
 
@@ -67,7 +73,9 @@ fn main() {
         robot.tick(Instant::from_millis(ms));
         if ms % 500 == 250 {
             let active = robot.active().map(|id| Robot::GRAPH.nodes[id.index()].name).collect::<Vec<_>>();
-            println!("{ms:4} ms: {:2} frames; active: {}", robot.get::<Camera>().frames, active.join(", "));
+            let age = robot.get::<Striker>().goal_age.map_or("never".into(), |age| format!("{} ms ago", age.as_millis()));
+            let frames = robot.get::<Camera>().frames;
+            println!("{ms:4} ms: {frames:2} frames; goal seen {age}; active: {}", active.join(", "));
         }
     }
 }

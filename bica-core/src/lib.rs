@@ -57,6 +57,7 @@
 #![no_std]
 
 pub mod action;
+mod age;
 pub mod blob;
 pub mod check;
 mod component;
@@ -84,6 +85,7 @@ pub mod work;
 #[path = "private.rs"]
 pub mod __private;
 
+pub use age::Age;
 pub use blob::{Blob, Format};
 pub use component::{Component, Time};
 pub use embassy_time::{Duration, Instant};

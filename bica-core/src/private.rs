@@ -167,6 +167,27 @@ pub const fn borrowed_rates<T: Has<C>, C: 'static>() -> &'static [usize] {
     <T::Member as MemberOf<T>>::RATES
 }
 
+/// Returns the components whose ages the functions of `C` take.
+#[must_use]
+pub const fn ages<T: Has<C>, C: 'static>() -> &'static [usize] {
+    <T::Member as MemberOf<T>>::AGES
+}
+
+/// Returns whether each of `N` components is among those whose ages are taken.
+#[must_use]
+pub const fn aged<const N: usize>(taken: &[&[usize]]) -> [bool; N] {
+    let (mut aged, mut by) = ([false; N], 0);
+    while by < taken.len() {
+        let mut place = 0;
+        while place < taken[by].len() {
+            aged[taken[by][place]] = true;
+            place += 1;
+        }
+        by += 1;
+    }
+    aged
+}
+
 /// Returns the rate of `C` in runs per second; `None` is every cycle.
 pub fn hz<T: Tree + Has<C>, C: 'static>(tree: &T) -> Option<f32> {
     tree.rate::<C>().hz()

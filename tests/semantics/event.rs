@@ -60,6 +60,11 @@ pub(crate) enum Event {
     WorkBegun(usize, u64),
     /// A job has ended.
     WorkEnded(usize, JobEnd),
+    /// Age of another component, clock ticks.
+    Aged {
+        of: &'static str,
+        since_run: Option<u64>,
+    },
     /// Rate that a component set for another one, as bits, so that NaN equals itself.
     RateSet {
         of: &'static str,

@@ -188,6 +188,7 @@ impl Model {
         loop {
             match self.next()? {
                 Event::RateSet { of, hz } => self.set_rate(self.named(of), f32::from_bits(hz)),
+                Event::Aged { of, since_run } => self.aged(self.named(of), since_run)?,
                 Event::Worked { of, result, is_idle } if of == node.name => self.worked(index, (result, is_idle))?,
                 Event::Body { of, state, time, reads, writes } if of == node.name && state == current => {
                     self.times(index, time)?;
@@ -247,6 +248,13 @@ impl Model {
         let memory = &mut self.components[index];
         memory.entered = memory.entered.min(self.now);
         self.now - memory.entered
+    }
+
+    /// Checks the age of a component that was ever active.
+    fn aged(&self, index: usize, since_run: Option<u64>) -> Comparison {
+        let data = &self.components[index];
+        let expected = data.started.then(|| self.now.saturating_sub(data.ran));
+        if since_run == expected { Ok(()) } else { Err(format!("age is {since_run:?} instead of {expected:?}")) }
     }
 
     fn times(&mut self, index: usize, time: Times) -> Comparison {

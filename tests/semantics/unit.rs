@@ -115,6 +115,11 @@ impl Unit {
         (self.flags & bit(BEGIN) != 0).then_some(self.value)
     }
 
+    /// Records the age of another component.
+    pub(crate) fn aged<C>(&self, of: &'static str, age: &Age<C>) {
+        record(Event::Aged { of, since_run: age.since_run().map(|age| age.as_ticks()) });
+    }
+
     /// Sets the rate of another component to the requested one.
     pub(crate) fn modulate<C: Component>(&mut self, of: &'static str, rate: &mut Rate<C>) {
         if let Some(hz) = self.requested_rate.take() {

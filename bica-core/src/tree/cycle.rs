@@ -8,6 +8,7 @@ use super::cycle_state::VisitOutcome;
 use super::engine;
 use super::layout::{Has, Layout, MemberOf};
 use super::results;
+use crate::age::Age;
 use crate::component::{Component, Time};
 use crate::id::ComponentId;
 use crate::probe::Probe;
@@ -153,7 +154,7 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
     where
         T: Has<C>,
     {
-        if T::Member::TIMED {
+        if T::Member::TIMED || const { is_aged::<T, C>() } {
             self.store.component_state::<C>().record_run(self.now());
         }
     }
@@ -245,6 +246,17 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
         Time { now, since_run: state.since_run(now), in_state: state.in_state(now) }
     }
 
+    /// Returns the age of `C`.
+    #[inline]
+    #[must_use]
+    pub fn age<C: 'static>(&self) -> Age<C>
+    where
+        T: Has<C>,
+    {
+        let state = self.store.component_state::<C>();
+        Age::new(state.since().is_some().then(|| state.since_run(self.now())))
+    }
+
     /// Returns the state of the state machine `C` as its visit begins.
     #[inline]
     #[must_use]
@@ -313,6 +325,11 @@ pub(super) const fn policy<T: Has<C>, C: 'static>() -> Policy {
 #[must_use]
 pub const fn visits_at_rate<T: Has<C>, C: 'static>() -> bool {
     <T::Member as Component>::HZ.is_some() || cfg!(target_os = "none")
+}
+
+/// Whether a component of the tree takes the age of `C`.
+const fn is_aged<T: Has<C>, C: 'static>() -> bool {
+    T::INDEX < T::AGED.len() && T::AGED[T::INDEX]
 }
 
 /// Whether no link ends at `C`. Each other component has one, because it can be reached from the root.

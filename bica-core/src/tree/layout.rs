@@ -103,6 +103,8 @@ pub trait MemberOf<T: Layout, B = <Self as Component>::Block>: Component {
     const HAS_CHILDREN: bool = !Self::NODE.links.is_empty();
     /// Indices of the components whose rates the functions of this one borrow.
     const RATES: &'static [usize] = &[];
+    /// Indices of the components whose ages the functions of this one take.
+    const AGES: &'static [usize] = &[];
 
     /// Visits the children that are needed now and, if the component is due, runs it between them.
     fn pass<P: Probe>(cycle: &mut Cycle<'_, T, P>, visit: Visit);
@@ -152,6 +154,10 @@ pub trait Layout: Sized + 'static {
     /// Whether a component has work beside the loop.
     #[doc(hidden)]
     const WORKS: bool = false;
+
+    /// Whether a component takes the age of the one at each index.
+    #[doc(hidden)]
+    const AGED: &'static [bool] = &[];
 
     /// Whether visits of a component are put off to the end of the cycle.
     #[doc(hidden)]

@@ -1,6 +1,7 @@
 //! Examples of each rule of the runtime.
 
 mod activity;
+mod age;
 mod batches;
 mod borrows;
 mod carried;

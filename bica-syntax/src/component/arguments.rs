@@ -54,7 +54,7 @@ pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut R
         if seen.contains(&place) {
             let problem = match argument {
                 Argument::Found(_) => wording::FOUND_TWICE.to_owned(),
-                Argument::Work(_) => wording::TWICE.to_owned(),
+                Argument::Work(_) | Argument::Age(_) => wording::TWICE.to_owned(),
                 _ => wording::two_links(&place),
             };
             report.add(&input.ty, problem);
@@ -71,6 +71,7 @@ fn key(argument: &Argument) -> String {
     match argument {
         Argument::Read(child) | Argument::Write(child) => text::written(child),
         Argument::Rate(child) => format!("Rate<{}>", text::written(child)),
+        Argument::Age(child) => format!("Age<{}>", text::written(child)),
         Argument::OwnRate => "Rate<Self>".to_owned(),
         Argument::Time(_) => "Time".to_owned(),
         Argument::Tuned(kind) => format!("Tuned<{}>", text::written(kind)),
@@ -138,6 +139,7 @@ fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: 
     match segment.ident.to_string().as_str() {
         "Time" => time(reference, report),
         "Rate" => rate(reference, segment, own, form, report),
+        "Age" => age(reference, segment, own, report),
         "Tuned" => tuned(reference, segment, report),
         "Work" => work::argument(reference, segment, own, form, report),
         _ => link(reference, own, form, report),
@@ -151,6 +153,7 @@ fn owned(path: &TypePath, form: Form, report: &mut Report) -> Option<Argument> {
         _ if let Some(problem) = no_value(path) => problem,
         "Time" => wording::owned_time(&written),
         "Rate" => wording::owned_rate(&written),
+        "Age" => wording::owned_age(&written),
         "Work" => wording::WORK_ARGUMENT.to_owned(),
         "Tuned" => wording::owned_tuned(&written),
         _ if form == Form::Condition => wording::owned_condition(&written),
@@ -281,6 +284,25 @@ fn rate(
     is_named(of, report).then(|| if is_own(of, own) { Argument::OwnRate } else { Argument::Rate(plain(of).clone()) })
 }
 
+fn age(reference: &TypeReference, segment: &PathSegment, own: &Type, report: &mut Report) -> Option<Argument> {
+    let Some(of) = only_type(segment) else {
+        report.add(segment, wording::AGE_OF_WHAT);
+        return None;
+    };
+    if reference.mutability.is_some() {
+        report.add(reference, wording::age(&text::written(&reference.elem)));
+        return None;
+    }
+    match plain(of) {
+        Type::ImplTrait(role) => return role::is_one_trait(role, report).then(|| Argument::Age(of.clone())),
+        Type::TraitObject(role) => report.add(of, wording::dyn_role(&text::written(&role.bounds))),
+        Type::Reference(inner) => report.add(of, wording::name_alone(&text::written(&inner.elem))),
+        of if is_own(of, own) => report.add(reference, wording::OWN_AGE),
+        of => return Some(Argument::Age(of.clone())),
+    }
+    None
+}
+
 fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) -> Option<Argument> {
     let child = plain(&reference.elem).clone();
     if let Some(of) = unsized_argument(&child) {
@@ -305,8 +327,8 @@ fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) 
     }
 }
 
-/// Completes a `Rate`, `Tuned` or `Found` without a type, and replaces one without a size, which are reported, so that the compiler does
-/// not report it again.
+/// Completes a `Rate`, `Age`, `Tuned` or `Found` without a type, and replaces one without a size, which are reported, so that the
+/// compiler does not report it again.
 pub(crate) fn complete_rates(signature: &mut Signature) {
     for input in &mut signature.inputs {
         let FnArg::Typed(input) = input else { continue };
@@ -319,7 +341,7 @@ pub(crate) fn complete_rates(signature: &mut Signature) {
         if let PathArguments::AngleBracketed(list) = &mut last.arguments {
             list.args.iter_mut().filter(|one| is_unsized(one)).for_each(|one| *one = parse_quote!(()));
         }
-        if ["Rate", "Tuned", "Found", "Work"].iter().any(|name| last.ident == name) && last.arguments.is_none() {
+        if ["Rate", "Age", "Tuned", "Found", "Work"].iter().any(|name| last.ident == name) && last.arguments.is_none() {
             last.arguments = PathArguments::AngleBracketed(parse_quote!(<Self>));
         }
     }

@@ -189,6 +189,8 @@ pub enum Argument {
     Time(Type),
     /// `&mut Rate<C>`
     Rate(Type),
+    /// `&Age<C>`: `C` or `impl Role`
+    Age(Type),
     /// `&mut Rate<Self>`
     OwnRate,
     /// `&mut Work<Self>`, as written without `&mut`

@@ -20,6 +20,7 @@ pub(crate) fn reserved(name: &str) -> String {
     let used = match name {
         "Time" => "an argument `&Time` is the time of the cycle",
         "Rate" => "`Rate<C>` is the rate of C",
+        "Age" => "`Age<C>` is the time since C ran last",
         "Found" => "`Found<T>` is what a transition found",
         "Work" => "`Work<Self>` are the jobs of a component",
         _ => "`Tuned<P>` is a struct of parameters",
@@ -229,6 +230,9 @@ pub(crate) const TRANSITION_WRITES: &str =
 pub(crate) const BEFORE_READS: &str = "a `#[before]` stores what the transitions read: write `&mut self`, or call a method `fn(&self)` in each transition";
 pub(crate) const RATE_IN_CONDITION: &str =
     "a transition cannot modulate a rate: move this argument to a state, or to an `#[entry]` or `#[exit]` hook";
+pub(crate) const AGE_OF_WHAT: &str = "an age is the time since a component ran last: write `&Age<Child>`";
+pub(crate) const OWN_AGE: &str =
+    "the time since this component ran last is `since_run` of `&Time`: take that, or name another component";
 pub(crate) const RATE_OF_WHAT: &str = "a rate belongs to a component: write `&mut Rate<Child>`";
 
 messages! {
@@ -239,6 +243,8 @@ messages! {
     owned_condition(written) = "a component is borrowed: write `&{written}`";
     owned_entry(written) = "write `Found<{written}>` to take what a transition found, or borrow a component: `&{written}` or `&mut {written}`";
     owned_time(written) = "the time is borrowed: write `&{written}`";
+    age(written) = "an age can only be read: write `&{written}`";
+    owned_age(written) = "an age is borrowed: write `&{written}`";
     owned_rate(written) = "a rate is borrowed to be modulated: write `&mut {written}`";
     value(written) =
         "`{written}` is no component: keep the value in a field of `self`, or in the component that provides it";

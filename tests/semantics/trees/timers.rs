@@ -18,12 +18,14 @@ unit!(Clockwork(hz = 50) {
     }
 
     #[state]
-    fn work(&mut self, time: &Time, sensor: &Sensor, motor: &mut Motor) {
+    fn work(&mut self, time: &Time, sensor: &Sensor, sensed: &Age<Sensor>, motor: &mut Motor) {
+        self.unit.aged("Sensor", sensed);
         self.unit.body("work", time, [sensor.unit.read()], [&mut motor.unit]);
     }
 
     #[state]
-    fn fallen(&mut self, time: &Time) {
+    fn fallen(&mut self, time: &Time, lit: &Age<Lamp>) {
+        self.unit.aged("Lamp", lit);
         self.unit.body("fallen", time, [], []);
     }
 

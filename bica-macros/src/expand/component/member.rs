@@ -28,12 +28,12 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     } else {
         parse_quote!(__T: #p::Has<Self, Member = Self>)
     });
-    for child in children(&visits).chain(asked(behaviour)) {
+    for child in children(&visits).chain(asked(behaviour)).chain(aged(component)) {
         bounds.predicates.push(role::holds(&p, child));
     }
     let (parameters, _, bounds) = generics.split_for_impl();
     let timed = timed(component);
-    let rates = rates(&p, component);
+    let (rates, ages) = (rates(&p, component), ages(&p, component));
     let node = node::expand(component, behaviour, &visits, &tuning);
     let (code, carrying) = match behaviour {
         Behaviour::Step(function) => (step::expand(&p, function.as_ref(), &visits, &tuning), None),
@@ -51,6 +51,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             #node
             const TIMED: ::core::primitive::bool = #timed;
             #rates
+            #ages
 
             #code
 
@@ -80,6 +81,21 @@ fn rates(p: &TokenStream, component: &Component) -> Option<TokenStream> {
         })
         .collect();
     (!borrowed.is_empty()).then(|| quote!(const RATES: &'static [::core::primitive::usize] = &[#(#borrowed),*];))
+}
+
+/// The components whose ages the functions take.
+fn aged(component: &Component) -> impl Iterator<Item = &Type> {
+    component.functions().flat_map(|function| &function.arguments).filter_map(|argument| match argument {
+        Argument::Age(of) => Some(of),
+        _ => None,
+    })
+}
+
+/// The same as indices, if there are any.
+fn ages(p: &TokenStream, component: &Component) -> Option<TokenStream> {
+    let ages = aged(component).map(|of| role::child(p, of)).map(|of| quote!(<__T as #p::Has<#of>>::INDEX));
+    let ages: Vec<_> = ages.collect();
+    (!ages.is_empty()).then(|| quote!(const AGES: &'static [::core::primitive::usize] = &[#(#ages),*];))
 }
 
 /// The children of whose results the transitions are written with other paths than their links.

@@ -72,7 +72,12 @@ fn link(argument: &Argument) -> Option<(TokenStream, &Type)> {
         Argument::Read(child) => Some((quote!(Read), child)),
         Argument::Write(child) => Some((quote!(Write), child)),
         Argument::Rate(child) => Some((quote!(Rate), child)),
-        Argument::OwnRate | Argument::Time(_) | Argument::Tuned(_) | Argument::Found(_) | Argument::Work(_) => None,
+        Argument::OwnRate
+        | Argument::Time(_)
+        | Argument::Age(_)
+        | Argument::Tuned(_)
+        | Argument::Found(_)
+        | Argument::Work(_) => None,
     }
 }
 

@@ -49,7 +49,7 @@ fn of(component: &Component) -> impl Iterator<Item = &Path> {
     let mut seen = BTreeSet::new();
     arguments
         .filter_map(|argument| match argument {
-            Argument::Read(kind) | Argument::Write(kind) => role_of(kind),
+            Argument::Read(kind) | Argument::Write(kind) | Argument::Age(kind) => role_of(kind),
             _ => None,
         })
         .filter(move |role| seen.insert(text::written(role)))

@@ -11,7 +11,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);
     let (name, cycle_hz) = (&tree.name, tree.cycle_hz);
     let count = tree.components.len();
-    let root = &root(tree);
+    let (root, kinds) = (&root(tree), kinds(tree));
     let visit = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit);
     let visit_steady = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit_steady);
     let (plans, access) = (plans(tree, &p), access(tree, &p));
@@ -22,6 +22,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
             const CYCLE_HZ: ::core::primitive::f32 = #cycle_hz;
             const ACTIVATORS: &'static [::core::primitive::usize] = &#p::activators::<#count>(<Self as #p::Tree>::GRAPH.nodes);
             const WORKS: ::core::primitive::bool = #p::has_work(<Self as #p::Tree>::GRAPH.nodes);
+            const AGED: &'static [::core::primitive::bool] = &#p::aged::<#count>(&[#(#p::ages::<Self, #kinds>()),*]);
             const DEFERS: ::core::primitive::bool = #p::deferred(<Self as #p::Tree>::GRAPH.nodes);
             const ORDER: &'static [::core::primitive::u16] = &#p::order(&#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes));
 

@@ -79,6 +79,11 @@ pub enum Input {
     },
     /// `&mut Rate<Self>`
     OwnRate,
+    /// `&Age<Child>`, `&Age<impl Role>`
+    Age {
+        /// Type of the component, or its role.
+        of: String,
+    },
     /// `&Time`
     Time,
     /// `&mut Work<Self>`
