@@ -10,7 +10,7 @@ use bica_motion::robot::Command;
 use bica_player::perception::GoalDetector;
 use bica_player::referee::packet::{Control, Penalty, PlayState, Team};
 use bica_player::referee::{Identity, Received, TeamForward, TeamSensors};
-use bica_player::team::{Heard, Role, Roles, TeamInbox, TeamMessage};
+use bica_player::team::{Heard, Role, Roles, TeamInbox, TeamMates, TeamMessage};
 use bica_sim::kinematic::{Entrant, MatchField};
 use bica_sim::referee::Event;
 use bica_sim::setup::{Frame, Setup};
@@ -33,6 +33,10 @@ struct Player {
     me: Identity,
     inbox: TeamInbox,
     heard: VecDeque<Heard>,
+    /// First cycle of its program.
+    since: u64,
+    /// Whether its program runs.
+    runs: bool,
 }
 
 impl Player {
@@ -40,7 +44,7 @@ impl Player {
         let mut robot = Box::new(TeamForward::new());
         robot.get_mut::<GoalDetector>().attack(field.truth(usize::from(number) - 1).attacks());
         let me = Identity { team: TEAM, player: number };
-        Self { robot, me, inbox: TeamInbox::new(me), heard: VecDeque::new() }
+        Self { robot, me, inbox: TeamInbox::new(me), heard: VecDeque::new(), since: 0, runs: true }
     }
 
     fn role(&self) -> Role {
@@ -91,9 +95,14 @@ impl Match {
     }
 
     fn cycle(&mut self) {
-        let (packet, now) = (self.packet(), Instant::from_millis(self.cycle * 10));
+        let packet = self.packet();
         let (mut commands, mut sent) = (Vec::new(), Vec::new());
         for (index, player) in self.players.iter_mut().enumerate() {
+            if !player.runs {
+                commands.push(Command::new(NAO.stand, 1.0));
+                continue;
+            }
+            let now = Instant::from_millis((self.cycle - player.since) * 10);
             let (body, heard) = (self.field.sensors(index), player.heard.pop_front());
             let sensors = TeamSensors { body, me: player.me, packet, ignored: 0, heard, refused: 0 };
             player.robot.sense(&sensors).expect("the image fits");
@@ -114,7 +123,7 @@ impl Match {
     fn send(&mut self, message: &TeamMessage) {
         let (bytes, at_us) = (message.encode(), self.cycle * 10_000);
         self.budget = self.budget.checked_sub(1).expect("the budget is kept");
-        for player in &mut self.players {
+        for player in self.players.iter_mut().filter(|player| player.runs) {
             self.messages += 1;
             let message = player.inbox.take(&bytes, at_us).filter(|_| !self.messages.is_multiple_of(LOST));
             player.heard.extend(message.map(|message| Heard { message, at_us }));
@@ -126,7 +135,39 @@ impl Match {
     }
 
     fn strikers(&self) -> usize {
-        self.players.iter().filter(|player| player.role() == Role::Striker).count()
+        self.players.iter().filter(|player| player.runs && player.role() == Role::Striker).count()
+    }
+
+    /// Begins to play, after the players have walked to their places.
+    fn kick_off(&mut self) {
+        (self.control.state, self.control.secondary_seconds) = (PlayState::Ready, 45);
+        self.run(44);
+        for index in 0..PLAYERS {
+            let at = self.field.truth(index).robot().position;
+            assert!(at.x < 0.0, "player {} at {at}", index + 1);
+        }
+        self.control.state = PlayState::Set;
+        self.run(5);
+        (self.control.state, self.control.secondary_seconds) = (PlayState::Playing, 0);
+    }
+
+    /// Seconds until there is one striker, and all running players that are not penalized are heard by the others and have a part.
+    fn settles_within(&mut self, limit: u64) -> Option<f32> {
+        let running = self.players.iter().filter(|player| player.runs).count() as u32;
+        let settled = |player: &Player| {
+            !player.runs || player.role() != Role::Absent && player.robot.get::<TeamMates>().count() + 1 == running
+        };
+        (0..100 * limit).find_map(|cycle| {
+            self.cycle();
+            let is_settled = self.strikers() == 1 && self.players.iter().all(settled);
+            is_settled.then_some(cycle as f32 / 100.0)
+        })
+    }
+
+    /// Starts the program of a player anew where its robot is.
+    fn restart(&mut self, index: usize) {
+        let since = self.cycle;
+        self.players[index] = Player { since, ..Player::new(self.players[index].me.player, &self.field) };
     }
 }
 
@@ -134,15 +175,7 @@ impl Match {
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_team_of_three_plays_with_one_striker() {
     let mut game = Match::new(4);
-    (game.control.state, game.control.secondary_seconds) = (PlayState::Ready, 45);
-    game.run(44);
-    for index in 0..PLAYERS {
-        let at = game.field.truth(index).robot().position;
-        assert!(at.x < 0.0, "player {} at {at}", index + 1);
-    }
-    game.control.state = PlayState::Set;
-    game.run(5);
-    (game.control.state, game.control.secondary_seconds) = (PlayState::Playing, 0);
+    game.kick_off();
     let (mut one, mut keeper_moved) = (0, 0.0_f32);
     let goal = game.field.truth(0).robot().position;
     let mut out = None;
@@ -167,4 +200,39 @@ fn slow_team_of_three_plays_with_one_striker() {
     assert!(kicks > 0 && game.field.score()[1] == 0);
     assert_eq!(game.players[0].role(), Role::Goalkeeper);
     assert!(keeper_moved < 1.5, "the goalkeeper has left its goal by {keeper_moved} m");
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_killed_players_return_within_ten_seconds() {
+    let mut game = Match::new(6);
+    game.kick_off();
+    game.run(5);
+    for role in [Role::Striker, Role::Goalkeeper, Role::Supporter, Role::Defender] {
+        let Some(killed) = game.players.iter().position(|player| player.role() == role) else { continue };
+        game.players[killed].runs = false;
+        let without = game.settles_within(10);
+        assert!(without.is_some(), "the others have no striker without the {role:?}");
+        game.run(5);
+        assert_eq!(game.strikers(), 1, "without the {role:?}");
+        game.restart(killed);
+        let after = game.settles_within(10);
+        assert!(after.is_some(), "the {role:?} has no part");
+        game.run(2);
+    }
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_players_join_and_leave_a_match() {
+    let mut game = Match::new(7);
+    game.control.teams[1].players[2].penalty = Penalty::Substitute;
+    game.kick_off();
+    game.run(5);
+    assert_eq!((game.strikers(), game.players[2].role()), (1, Role::Absent), "player 3 is a substitute");
+    game.control.teams[1].players[2].penalty = Penalty::None;
+    assert!(game.settles_within(10).is_some(), "player 3 has no part");
+    game.control.teams[1].players[1].penalty = Penalty::Substitute;
+    game.run(3);
+    assert_eq!((game.players[1].role(), game.players[2].role()), (Role::Absent, Role::Striker));
 }
