@@ -81,6 +81,15 @@ impl MatchField {
         self.worlds[robot].referee()
     }
 
+    /// Whether a robot belongs to the second team.
+    ///
+    /// # Panics
+    /// If there is no robot with this index.
+    #[must_use]
+    pub fn is_second(&self, robot: usize) -> bool {
+        self.entrants[robot].is_second
+    }
+
     /// Whether a robot lies.
     ///
     /// # Panics
@@ -131,6 +140,19 @@ impl MatchField {
             let others: Vec<Other> = self.worlds.iter().enumerate().filter_map(shown).collect();
             self.worlds[index].set_others(&others);
         }
+    }
+
+    /// Puts a robot on its feet at a pose in the frame of its own team, as people do who carry it.
+    ///
+    /// # Errors
+    /// If the pose is beyond the lines, or a post, the ball or a robot is there.
+    ///
+    /// # Panics
+    /// If there is no robot with this index.
+    pub fn put_robot(&mut self, robot: usize, at: Pose2) -> Result<(), &'static str> {
+        self.worlds[robot].put_robot(at)?;
+        self.share_robots();
+        Ok(())
     }
 
     /// Puts the ball at a position, m, in the frame of the first robot's team, at rest.
@@ -213,7 +235,9 @@ mod tests {
             field.act(&[standing(); 2]);
         }
         assert!(seen(&mut field) > 0, "it is ahead");
-        field.worlds[1].put_robot(Pose2::new(2.5, 1.5, 0.0)).expect("a free place");
+        field.put_robot(1, Pose2::new(2.5, 1.5, 0.0)).expect("a free place");
+        assert!(field.truth(0).others()[0].position.distance(Vec2::new(-2.5, -1.5)) < 0.05, "the others know it");
+        assert!(field.put_robot(1, Pose2::new(1.0, 0.0, 0.0)).is_err(), "a robot is there");
         for _ in 0..10 {
             field.act(&[standing(); 2]);
         }

@@ -7,7 +7,7 @@ use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use bica_player::referee::Identity;
-use bica_player::referee::packet::{CONTROL_BYTES, Control, PlayState, Status, Team, Version};
+use bica_player::referee::packet::{CONTROL_BYTES, Control, Penalty, PlayState, Status, Team, Version};
 use bica_player::team::{Role, TeamMessage};
 
 use crate::process::{Folder, player, refused, run};
@@ -22,6 +22,8 @@ struct Controller {
     to: SocketAddr,
     number: u8,
     message_budget: u16,
+    /// Penalty of player 1 of team 5.
+    penalty: Penalty,
 }
 
 /// Returns a port that no program uses.
@@ -34,7 +36,13 @@ impl Controller {
     fn new() -> Self {
         let socket = UdpSocket::bind("127.0.0.1:0").expect("a socket");
         socket.set_read_timeout(Some(Duration::from_millis(100))).expect("a time-out");
-        Self { socket, to: SocketAddr::from(([127, 0, 0, 1], free_port())), number: 0, message_budget: 0 }
+        Self {
+            socket,
+            to: SocketAddr::from(([127, 0, 0, 1], free_port())),
+            number: 0,
+            message_budget: 0,
+            penalty: Penalty::None,
+        }
     }
 
     fn return_port(&self) -> String {
@@ -43,7 +51,8 @@ impl Controller {
 
     fn send(&mut self, version: Version, state: PlayState) {
         self.number = self.number.wrapping_add(1);
-        let teams = [23, 5].map(|number| Team { number, message_budget: self.message_budget, ..Team::default() });
+        let mut teams = [23, 5].map(|number| Team { number, message_budget: self.message_budget, ..Team::default() });
+        teams[1].players[0].penalty = self.penalty;
         let control =
             Control { version, number: self.number, state, teams, seconds_remaining: 600, ..Control::default() };
         let mut out = [0; CONTROL_BYTES];
@@ -139,7 +148,7 @@ fn packets_change_the_state_and_replay_bit_for_bit() {
     let mut played = Played::start(&controller, &more);
     let (to, socket) = (controller.to, controller.socket.try_clone().expect("a socket"));
     let sender = std::thread::spawn(move || {
-        let mut sending = Controller { socket, to, number: 0, message_budget: 0 };
+        let mut sending = Controller { socket, to, number: 0, message_budget: 0, penalty: Penalty::None };
         for state in [PlayState::Initial, PlayState::Ready, PlayState::Set, PlayState::Playing].into_iter().cycle() {
             sending.send(Version::V20, state);
             mate(u32::from(sending.number));
@@ -222,6 +231,44 @@ fn match_of_both_teams_writes_the_truth() {
     let names: Vec<_> = robots.iter().map(|robot| (robot["team"].as_u64(), robot["player"].as_u64())).collect();
     assert_eq!(names, [(Some(5), Some(1)), (Some(5), Some(2)), (Some(23), Some(1)), (Some(23), Some(2))]);
     assert!(robots.iter().all(|robot| robot["x"].as_f64().is_some_and(|x| x < -1.0) && robot["fallen"] == false));
+}
+
+#[cfg(unix)]
+#[test]
+fn penalized_player_is_carried_to_its_side_line() {
+    let folder = Folder::new("carried");
+    let path = folder.file("truth.sock");
+    let listener = std::os::unix::net::UnixListener::bind(&path).expect("a socket");
+    let mut controller = Controller::new();
+    let (port, answers) = (controller.to.port().to_string(), controller.return_port());
+    let play = ["play", "--world", "team", "--teams", "5,23", "--players", "1", "--size", "160x120", "--truth", &path];
+    let ports = ["--control-port", &port, "--return-port", &answers, "--broadcast", "127.255.255.255", "--match"];
+    let mut game = player(&[&play[..], &ports].concat()).stdout(Stdio::null()).spawn().expect("the program");
+    let (truth, _) = listener.accept().expect("the world connects");
+    controller.to = SocketAddr::from(([127, 255, 255, 255], controller.to.port()));
+    controller.socket.set_broadcast(true).expect("a broadcast");
+    let pose = |line: &str| {
+        let line: serde_json::Value = serde_json::from_str(line).expect("JSON");
+        ["x", "y", "theta"].map(|name| line["robots"][0][name].as_f64().expect("a number"))
+    };
+    let mut lines = BufReader::new(truth).lines().map_while(Result::ok);
+    let start = Instant::now();
+    let is_at = |[x, y, theta]: [f64; 3], at: [f64; 3]| {
+        (x - at[0]).abs() < 0.05 && (y - at[1]).abs() < 0.05 && (theta - at[2]).abs() < 0.1
+    };
+    for (penalty, at) in [(Penalty::None, [-2.5, 1.9, -1.57]), (Penalty::Pushing, [-1.5, -1.9, 1.57])] {
+        controller.penalty = penalty;
+        let mut step = 0;
+        while step == 0 || !is_at(pose(&lines.next().expect("a line")), at) {
+            step += 1;
+            if step % 10 == 1 {
+                controller.send(Version::V20, PlayState::Initial);
+            }
+            assert!(start.elapsed() < PATIENCE, "{penalty:?}");
+        }
+    }
+    game.kill().expect("it runs");
+    game.wait().expect("it ends");
 }
 
 #[test]

@@ -46,6 +46,11 @@ const PENALTIES: [(&str, Penalty); 14] = [
     ("substitute", Penalty::Substitute),
 ];
 
+/// Name of a penalty in a command.
+pub(in crate::referee) fn penalty_name(penalty: Penalty) -> &'static str {
+    PENALTIES.iter().find(|(_, known)| *known == penalty).map_or("incapable", |(name, _)| name)
+}
+
 /// Names of the set plays.
 const SET_PLAYS: [(&str, SetPlay); 7] = [
     ("none", SetPlay::None),

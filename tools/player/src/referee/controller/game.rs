@@ -13,7 +13,7 @@ const KICK_OFF: f64 = 10.0;
 /// Duration of a set play after the game was resumed, s.
 const SET_PLAY: f64 = 45.0;
 /// Duration of a penalty, s.
-const PENALTY: f64 = 30.0;
+pub(in crate::referee) const PENALTY: f64 = 30.0;
 /// Message budget of a team in a game.
 const BUDGET: u16 = 12_000;
 /// Time between two packets, s.

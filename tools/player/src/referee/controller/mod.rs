@@ -7,6 +7,6 @@ mod players;
 mod run;
 
 pub(crate) use args::RefereeCommand;
-pub(super) use command::Command;
-pub(super) use game::Game;
+pub(super) use command::{Command, penalty_name};
+pub(super) use game::{Game, PENALTY};
 pub(crate) use run::run;

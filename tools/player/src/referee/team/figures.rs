@@ -22,6 +22,7 @@ struct TeamFigures {
     goals_per_half: f64,
     own_goals: u32,
     kicks_per_half: f64,
+    penalties_per_half: f64,
     /// Share of the time in the state playing with exactly one striker.
     one_striker: f64,
     /// Longest time with several strikers or none, s.
@@ -43,6 +44,7 @@ impl Figures {
             goals_per_half: mean(all.goals[index]),
             own_goals: all.own_goals[index],
             kicks_per_half: mean(all.kicks[index]),
+            penalties_per_half: mean(all.penalties[index]),
             one_striker: all.striker_share(index),
             longest_other_s: all.longest_other[index] as f64 * 0.01,
             falls_per_robot_minute: all.per_robot_minute(all.falls[index]),
@@ -70,6 +72,7 @@ impl TeamFigures {
         let own = self.own_goals;
         console.print_row("goals", &format!("{:.2} a half, {own} own goals", self.goals_per_half))?;
         console.print_row("kicks", &format!("{:.1} a half", self.kicks_per_half))?;
+        console.print_row("penalties", &format!("{:.2} a half", self.penalties_per_half))?;
         let (share, longest) = (100.0 * self.one_striker, self.longest_other_s);
         let text = format!("{share:.1} % of the time exactly one, at most {longest:.2} s without");
         console.print_row("striker", &text)?;

@@ -1,17 +1,18 @@
 //! A half in simulated time, under the commands of a small `GameController`.
 
 use bica_app::Failure;
-use bica_player::referee::Received;
-use bica_player::referee::packet::{PlayState, Version};
+use bica_player::referee::packet::{Penalty, PlayState, Version};
+use bica_player::referee::{Identity, Received};
 use bica_tuning::Layers;
 
+use super::assistants::Assistants;
 use super::entrants::{field, identities};
 use super::player::Player;
 use super::radio::Radio;
 use super::tally::Tally;
 use super::teams::Teams;
 use crate::cli::Play;
-use crate::referee::controller::{Command, Game};
+use crate::referee::controller::{Command, Game, PENALTY};
 use crate::referee::play::forward;
 
 /// Durations of the states ready and set, s.
@@ -29,6 +30,10 @@ pub(super) struct Half {
     /// Time of the next change of the state, s.
     next: f64,
     tally: Tally,
+    assistants: Assistants,
+    everybody: Vec<Identity>,
+    /// Players that are penalized, and the ends of their penalties, s.
+    penalized: Vec<(Identity, f64)>,
 }
 
 impl Half {
@@ -38,19 +43,29 @@ impl Half {
         let everybody = identities(numbers, players);
         let field = field(args, seed, &everybody)?;
         let playing = if args.referee.idle { usize::from(players) } else { everybody.len() };
-        let player = |(index, me)| {
+        let player = |(index, me): (usize, &Identity)| {
             let mut forward = forward(field.truth(index).attacks());
             layers.apply(&mut *forward)?;
-            Ok(Player::new(forward, Radio::new(me), None))
+            Ok(Player::new(forward, Radio::new(*me), None))
         };
-        let robots = everybody.into_iter().take(playing).enumerate().map(player);
+        let robots = everybody.iter().take(playing).enumerate().map(player);
         let robots = robots.collect::<Result<Vec<_>, Failure>>()?;
         let mut game = Game::new(numbers, players, Version::V20, 0.0);
         let first = numbers[(seed % 2) as usize];
         order(&mut game, Command::Clock(args.seconds.unwrap_or(600.0) as i16))?;
         order(&mut game, Command::State(PlayState::Ready, Some(first)))?;
         let tally = Tally::new(usize::from(players), field.robots());
-        Ok(Self { teams: Teams::new(field, robots), game, numbers, score: [0; 2], next: READY, tally })
+        Ok(Self {
+            teams: Teams::new(field, robots),
+            game,
+            numbers,
+            score: [0; 2],
+            next: READY,
+            tally,
+            assistants: Assistants::default(),
+            everybody,
+            penalized: Vec::new(),
+        })
     }
 
     /// Plays the half; returns its figures.
@@ -63,18 +78,43 @@ impl Half {
 
     fn cycle(&mut self) -> Result<(), Failure> {
         let now = self.teams.seconds();
+        self.let_in(now)?;
         self.command(now)?;
         if let Some(control) = self.game.advance(now) {
             let packet = Received { control, source: SOURCE, at_us: 10_000 * self.teams.cycle };
             self.teams.players.iter_mut().for_each(|player| player.network.show(packet));
         }
         self.teams.step(1)?;
+        self.assistants.carry(&mut self.teams);
         self.pass_messages();
         if self.game.control().state == PlayState::Playing {
             self.tally.count(&self.teams);
+            if let Some((robot, penalty)) = self.assistants.judge(&self.teams) {
+                self.penalize(robot, penalty, now)?;
+            }
         }
         self.tally.skip(&self.teams.field);
         Ok(())
+    }
+
+    /// Penalizes a player for a time.
+    fn penalize(&mut self, robot: usize, penalty: Penalty, now: f64) -> Result<(), Failure> {
+        let me = self.everybody[robot];
+        if self.penalized.iter().any(|(player, _)| *player == me) {
+            return Ok(());
+        }
+        self.tally.penalties[usize::from(me.team != self.numbers[0])] += 1;
+        self.penalized.push((me, now + PENALTY));
+        order(&mut self.game, Command::Penalty(me.team, me.player, penalty))
+    }
+
+    /// Ends the penalties that are over.
+    fn let_in(&mut self, now: f64) -> Result<(), Failure> {
+        let (over, left) = self.penalized.iter().partition(|(_, end)| now >= *end);
+        self.penalized = left;
+        let over: Vec<(Identity, f64)> = over;
+        over.into_iter()
+            .try_for_each(|(me, _)| order(&mut self.game, Command::Penalty(me.team, me.player, Penalty::None)))
     }
 
     /// Gives the commands that are due.

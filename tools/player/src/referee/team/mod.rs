@@ -1,7 +1,9 @@
 //! `play --world team`: a match of two teams in one world.
 
+mod assistants;
 mod entrants;
 mod figures;
+mod fouls;
 mod half;
 mod halves;
 mod player;

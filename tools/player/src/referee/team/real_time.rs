@@ -6,14 +6,17 @@ use std::time::{Duration, Instant};
 
 use bica::Tree;
 use bica_app::{Console, Failure, Outcome, interrupt};
-use bica_player::referee::{Identity, TeamForward};
+use bica_player::referee::packet::PlayState;
+use bica_player::referee::{GameController, Identity, TeamForward};
 
+use super::assistants::Assistants;
 use super::entrants::{field, identities};
 use super::player::Player;
 use super::recording;
 use super::teams::{CYCLE, Teams};
 use super::truth::Truth;
 use crate::cli::Play;
+use crate::referee::controller::penalty_name;
 use crate::referee::network::PlayerNetwork;
 use crate::referee::play::{forward, ports};
 
@@ -26,12 +29,19 @@ pub(super) fn run(args: &Play, teams: [u8; 2]) -> Result<Outcome, Failure> {
     let mut game = open(args, &players)?;
     let mut truth = Truth::connect(args.referee.truth.as_deref())?;
     let console = Console::new(args.json);
+    let mut assistants = Assistants::default();
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let (mut start, mut score, mut slow) = (Instant::now(), [0; 2], Duration::ZERO);
     let limit = args.seconds.map_or(u64::MAX, |seconds| (100.0 * seconds) as u64);
     while game.cycle < limit && !interrupt::requested() {
         truth.write(game.cycle, &players, &game.field);
         game.step(threads)?;
+        assistants.carry(&mut game);
+        let foul = if is_playing(&game) { assistants.judge(&game) } else { None };
+        if let Some((robot, penalty)) = foul {
+            let (Identity { team, player }, name) = (players[robot], penalty_name(penalty));
+            console.print(&format!("{:8.2} s  foul: penalty {team} {player} {name}", game.seconds()))?;
+        }
         for reason in game.players.iter().filter_map(Player::recording_ended) {
             eprintln!("warning: a recording ended, the match goes on: {reason}");
         }
@@ -48,6 +58,12 @@ pub(super) fn run(args: &Play, teams: [u8; 2]) -> Result<Outcome, Failure> {
     }
     report(console, &mut game, slow)?;
     Ok(if interrupt::requested() { Outcome::Interrupted } else { Outcome::Success })
+}
+
+/// Whether the newest packet shows the state playing.
+fn is_playing(game: &Teams<PlayerNetwork>) -> bool {
+    let states = |player: &Player<_>| player.forward().get::<GameController>().state();
+    game.players.first().and_then(states) == Some(PlayState::Playing)
 }
 
 fn open(args: &Play, players: &[Identity]) -> Result<Teams<PlayerNetwork>, Failure> {

@@ -26,6 +26,7 @@ pub(super) struct Tally {
     pub(super) kicks: [u32; 2],
     pub(super) falls: [u32; 2],
     pub(super) collisions: [u32; 2],
+    pub(super) penalties: [u32; 2],
     /// Cycles with exactly one striker.
     pub(super) one_striker: [u64; 2],
     /// Longest time with several strikers or none, cycles.
@@ -99,6 +100,7 @@ impl Tally {
             self.kicks[team] += other.kicks[team];
             self.falls[team] += other.falls[team];
             self.collisions[team] += other.collisions[team];
+            self.penalties[team] += other.penalties[team];
             self.one_striker[team] += other.one_striker[team];
             self.longest_other[team] = self.longest_other[team].max(other.longest_other[team]);
         }
