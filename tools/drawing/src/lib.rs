@@ -1,4 +1,5 @@
-//! Drawings for tools: activation trees as SVG; with the feature `pictures` also as pictures, with canvas, text and PNG.
+//! Drawings for tools: the layout of activation trees and state machines, trees as SVG, and with the feature `pictures` in pictures,
+//! with canvas, text and PNG.
 //!
 //! Coordinates of pictures are pixels: x right, y down.
 

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use bica_wire::model::{Component, Description, LinkKind};
 
-use crate::layout::{BOX_HEIGHT, BOX_WIDTH, Item, Kind, Layers, Placement, Segment};
+use crate::layout::{Kind, Point, Rectangle, Tree, links, path};
 
 #[cfg(test)]
 mod tests;
@@ -15,30 +15,44 @@ mod tests;
 const GREY: &str = "#7d8590";
 const LEGEND_HEIGHT: f64 = 44.0;
 
+/// Usual width of a drawing, margin around it, and size of a box, px.
+const WIDTH: f64 = 900.0;
+const MARGIN: f64 = 14.0;
+const BOX_WIDTH: f64 = 104.0;
+const BOX_HEIGHT: f64 = 38.0;
+/// A height that leaves each corridor all the room it may have, px.
+const HIGH: f64 = 1e6;
+
 /// Returns a drawing of a tree as SVG, about 900 pixels wide for two dozen components.
 #[must_use]
 pub fn svg(tree: &Description) -> String {
-    let layers = Layers::new(tree);
-    let placement = Placement::new(&layers);
-    let (width, height) = (placement.width, placement.height + LEGEND_HEIGHT);
+    let drawn = laid_out(tree);
+    let (width, height) = (drawn.width, drawn.height + LEGEND_HEIGHT);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" \
          height=\"{height:.0}\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" font-size=\"12\" \
          text-anchor=\"middle\">\n<title>{}</title>\n",
         escaped(&tree.name)
     );
-    for segment in &layers.segments {
-        out += &line(&layers, &placement, segment);
+    for (link, points) in tree.components.iter().flat_map(|component| &component.links).zip(&drawn.lines) {
+        out += &line(link.kind, points, link.to, &drawn);
     }
     for (item, node) in tree.components.iter().enumerate() {
-        out += &component(node, Kind::of(tree, item), placement.of(item), item == tree.root);
+        out += &component(node, Kind::of(tree, item), &drawn.boxes[item], item == tree.root);
     }
-    out += &legend(tree, width, placement.height);
+    out += &legend(tree, width, drawn.height);
     out + "</svg>\n"
 }
 
+/// Places of all boxes and courses of all links.
+fn laid_out(tree: &Description) -> Tree {
+    let widths = vec![BOX_WIDTH; tree.components.len()];
+    Tree::new(&links(tree), &widths, (WIDTH, HIGH), (BOX_HEIGHT, BOX_HEIGHT)).cropped(MARGIN)
+}
+
 /// Box with the component's name and rate.
-fn component(node: &Component, kind: Kind, (x, y): (f64, f64), root: bool) -> String {
+fn component(node: &Component, kind: Kind, place: &Rectangle, root: bool) -> String {
+    let (x, y) = (place.x, place.y - place.height / 2.0);
     let (fill, border) = kind.colours();
     let (left, thickness) = (x - BOX_WIDTH / 2.0, if root { 3.0 } else { 1.5 });
     let rate = node.hz.map_or("every cycle".into(), |hz| format!("{hz} Hz"));
@@ -65,26 +79,12 @@ fn fitting(name: &str) -> String {
     }
 }
 
-/// One segment, with an arrow head where its link ends.
-fn line(layers: &Layers, placement: &Placement, segment: &Segment) -> String {
-    let (from, to) = placement.ends(segment);
-    let middle = f64::midpoint(from.1, to.1);
-    let mut path = format!("M{:.1} {:.1}", from.0, from.1);
-    let arrives = matches!(layers.items[segment.lower], Item::Component(_));
-    let departs = matches!(layers.items[segment.upper], Item::Component(_));
-    write!(path, "C{:.1} {middle:.1} {:.1} {middle:.1} {:.1} {:.1}", from.0, to.0, to.0, to.1).expect("a string grows");
-    if !arrives {
-        write!(path, "v{BOX_HEIGHT}").expect("a string grows");
-    }
-    let dash = if segment.kind == LinkKind::Requirement { " stroke-dasharray=\"5 3\"" } else { "" };
-    let mut line = format!("<path d=\"{path}\" fill=\"none\" stroke=\"{GREY}\" stroke-width=\"1.3\"{dash}/>\n");
-    if segment.upward && departs {
-        line += &head(from.0, from.1, 1.0);
-    }
-    if !segment.upward && arrives {
-        line += &head(to.0, to.1, -1.0);
-    }
-    line
+/// The line of a link, with an arrow head at the box to which it leads.
+fn line(kind: LinkKind, points: &[Point], to: usize, drawn: &Tree) -> String {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return String::new() };
+    let dash = if kind == LinkKind::Requirement { " stroke-dasharray=\"5 3\"" } else { "" };
+    let line = format!("<path d=\"{}\" fill=\"none\" stroke=\"{GREY}\" stroke-width=\"1.3\"{dash}/>\n", path(points));
+    line + &if drawn.boxes[to].y < first.1 { head(first.0, first.1, 1.0) } else { head(last.0, last.1, -1.0) }
 }
 
 /// Arrow head at a box above (`side` 1) or below (`side` -1).

@@ -7,19 +7,15 @@ use super::canvas::{Area, Canvas, Rgb};
 use super::palette::{FAINT, GHOST, MODULATED, PAPER, REQUIRED, TEXT, hex};
 use super::text::Font;
 use super::tree_state::TreeState;
-use crate::layout::{BOX_HEIGHT, BOX_WIDTH, Item, Kind, Layers, Placement, Segment, routes};
+use crate::layout::{Kind, Point, Tree, links};
 
-/// Number of straight pieces of a curve.
-const PIECES: usize = 16;
 /// Size of a component, px.
-const BOX: Vec2 = Vec2::new(BOX_WIDTH as f32, BOX_HEIGHT as f32);
+const BOX: Vec2 = Vec2::new(104.0, 38.0);
 
 /// Drawing of the states of one tree; each component has the same position in every picture.
 #[derive(Debug)]
 pub struct TreeView {
-    layers: Layers,
-    placement: Placement,
-    routes: Vec<Vec<Vec<usize>>>,
+    drawn: Tree,
     size: Vec2,
 }
 
@@ -27,19 +23,21 @@ impl TreeView {
     /// A view of a tree for pictures of `width` × `height` px.
     #[must_use]
     pub fn new(tree: &Description, width: usize, height: usize) -> Self {
-        let layers = Layers::new(tree);
-        let (placement, routes) = (Placement::new(&layers), routes(tree, &layers));
-        Self { layers, placement, routes, size: Vec2::new(width as f32, height as f32) }
+        let (size, height) = (Vec2::new(width as f32, height as f32), f64::from(BOX.y));
+        let widths = vec![f64::from(BOX.x); tree.components.len()];
+        let panel = (f64::from(size.x), f64::from(size.y));
+        Self { drawn: Tree::new(&links(tree), &widths, panel, (height, height)), size }
     }
 
     /// Draws the tree in a state.
     #[must_use]
     pub fn draw(&self, tree: &TreeState<'_>) -> Canvas {
         let mut canvas = Canvas::new(self.size.x as usize, self.size.y as usize, PAPER);
-        let in_use = self.in_use(tree);
-        for (index, segment) in self.layers.segments.iter().enumerate() {
-            if in_use[index] {
-                self.segment(&mut canvas, segment);
+        let components = tree.tree.components.iter().enumerate();
+        let links = components.flat_map(|(from, node)| node.links.iter().map(move |link| (from, link)));
+        for ((from, link), points) in links.zip(&self.drawn.lines) {
+            if tree.uses(from, link) {
+                line(&mut canvas, link.kind, points);
             }
         }
         for node in 0..tree.tree.components.len() {
@@ -48,53 +46,9 @@ impl TreeView {
         canvas
     }
 
-    /// Returns for each segment whether it belongs to a link in use.
-    fn in_use(&self, tree: &TreeState<'_>) -> Vec<bool> {
-        let mut in_use = vec![false; self.layers.segments.len()];
-        for (from, node) in tree.tree.components.iter().enumerate() {
-            for (link, way) in node.links.iter().zip(&self.routes[from]).filter(|(link, _)| tree.uses(from, link)) {
-                debug_assert!(!way.is_empty(), "no way from {} to node {}", node.name, link.to);
-                for &index in way {
-                    in_use[index] = true;
-                }
-            }
-        }
-        in_use
-    }
-
-    /// Upper left corner of an item's box: the layout is stretched to the size of the picture, the boxes are not.
-    fn corner(&self, item: usize) -> Vec2 {
-        let (x, y) = self.placement.of(item);
-        let drawn = Vec2::new(self.placement.width as f32, self.placement.height as f32) - BOX;
-        let part = (Vec2::new(x as f32, y as f32) - Vec2::new(0.5 * BOX.x, 0.0)) / drawn;
-        part * (self.size - BOX)
-    }
-
-    /// Point on the upper edge of an item's box, for a port at `x` in the layout.
-    fn port(&self, item: usize, x: f64) -> Vec2 {
-        let (middle, _) = self.placement.of(item);
-        self.corner(item) + Vec2::new((x - middle) as f32 + 0.5 * BOX.x, 0.0)
-    }
-
-    fn segment(&self, canvas: &mut Canvas, segment: &Segment) {
-        let ((from, _), (to, _)) = self.placement.ends(segment);
-        let (from, to) = (self.port(segment.upper, from) + Vec2::new(0.0, BOX.y), self.port(segment.lower, to));
-        let rgb = if segment.kind == LinkKind::Requirement { REQUIRED } else { MODULATED };
-        let curve: Vec<Vec2> = bend(from, to).collect();
-        canvas.polyline(&curve, 1.6, rgb);
-        let is_component = |item: usize| matches!(self.layers.items[item], Item::Component(_));
-        match segment.kind {
-            LinkKind::Requirement if is_component(segment.upper) => canvas.arrow_head(from, Vec2::NEG_Y, 8.0, rgb),
-            LinkKind::Modulation if is_component(segment.lower) => canvas.arrow_head(to, Vec2::Y, 8.0, rgb),
-            _ => {}
-        }
-        if !is_component(segment.lower) {
-            canvas.line(to, to + Vec2::new(0.0, BOX.y), 1.6, rgb);
-        }
-    }
-
     fn component(&self, canvas: &mut Canvas, tree: &TreeState<'_>, node: usize) {
-        let from = self.corner(node);
+        let place = &self.drawn.boxes[node];
+        let from = Vec2::new(place.x as f32, place.y as f32) - 0.5 * BOX;
         let area = Area { from, to: from + BOX };
         let (name, middle, line) = (&*tree.tree.components[node].name, area.centre(), Vec2::new(0.0, 8.0));
         if !tree.active[node] {
@@ -113,6 +67,17 @@ impl TreeView {
             None => canvas.write_centred(middle, Font::Bold, TEXT, name),
         }
     }
+}
+
+/// Draws the line of a link, with an arrow head where what is read or written arrives.
+fn line(canvas: &mut Canvas, kind: LinkKind, points: &[Point]) {
+    let points: Vec<Vec2> = points.iter().map(|(x, y)| Vec2::new(*x as f32, *y as f32)).collect();
+    let rgb = if kind == LinkKind::Requirement { REQUIRED } else { MODULATED };
+    canvas.polyline(&points, 1.6, rgb);
+    match kind {
+        LinkKind::Requirement => points.first().map(|at| canvas.arrow_head(*at, Vec2::NEG_Y, 8.0, rgb)),
+        LinkKind::Modulation => points.last().map(|at| canvas.arrow_head(*at, Vec2::Y, 8.0, rgb)),
+    };
 }
 
 fn colours(tree: &Description, node: usize) -> (Rgb, Rgb) {
@@ -140,15 +105,4 @@ pub fn legend(canvas: &mut Canvas, at: Vec2) {
         canvas.write(Vec2::new(x + 32.0, at.y), Font::Normal, TEXT, words);
         x += 56.0 + Font::Normal.width(words);
     }
-}
-
-/// Points of a cubic Bézier curve with vertical ends.
-fn bend(from: Vec2, to: Vec2) -> impl Iterator<Item = Vec2> {
-    let pull = Vec2::new(0.0, 0.5 * (to.y - from.y));
-    (0..=PIECES).map(move |piece| {
-        let t = piece as f32 / PIECES as f32;
-        let (out, back) = (from.lerp(from + pull, t), (to - pull).lerp(to, t));
-        let between = (from + pull).lerp(to - pull, t);
-        out.lerp(between, t).lerp(between.lerp(back, t), t)
-    })
 }

@@ -1,7 +1,9 @@
-//! Kinds of components, by their links.
+//! Kinds of components by their links, and these for a drawing.
 
-use bica_wire::model::{Description, LinkKind};
+use bica_wire::model::{Component, Description, LinkKind};
 use serde::Serialize;
+
+use super::tree::Link;
 
 /// Kind of a component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -30,6 +32,22 @@ pub fn kinds(tree: &Description) -> Vec<Kind> {
         return Vec::new();
     }
     (0..count).map(|index| Kind::of(tree, index)).collect()
+}
+
+/// Distance of the lines of reads, and of those of writes, from the middles of the boxes, px.
+const SIDE: f64 = 6.0;
+
+/// The links of a tree, those of each component together. What a component reads has one trunk, what it writes another one.
+#[must_use]
+pub fn links(tree: &Description) -> Vec<Link> {
+    let of = |(from, component): (usize, &Component)| {
+        let link = move |link: &bica_wire::model::Link| {
+            let writes = link.kind == LinkKind::Modulation;
+            Link { from, to: link.to, trunk: 2 * from + usize::from(writes), side: if writes { SIDE } else { -SIDE } }
+        };
+        component.links.iter().map(link).collect::<Vec<_>>()
+    };
+    tree.components.iter().enumerate().flat_map(of).collect()
 }
 
 impl Kind {

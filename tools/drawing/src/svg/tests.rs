@@ -2,8 +2,8 @@
 
 use bica_wire::model::{Component, Description, Link, LinkKind, State};
 
-use super::svg;
-use crate::layout::{BOX_HEIGHT, BOX_WIDTH, Item, Kind, Layers, Placement, routes};
+use super::{laid_out, svg};
+use crate::layout::{Kind, Rectangle};
 
 /// Linear congruential generator (Knuth's MMIX).
 struct Rng(u64);
@@ -41,64 +41,50 @@ fn random(seed: u64, cyclic: bool) -> Description {
     graph(nodes.collect())
 }
 
+/// Whether a rectangle, made smaller by a distance, and the one between two points have a common area.
+fn covers(one: &Rectangle, (a, b): ((f64, f64), (f64, f64)), inset: f64) -> bool {
+    let (width, height) = (one.width / 2.0 - inset, one.height / 2.0 - inset);
+    a.0.min(b.0) < one.x + width
+        && a.0.max(b.0) > one.x - width
+        && a.1.min(b.1) < one.y + height
+        && a.1.max(b.1) > one.y - height
+}
+
+fn corners(one: &Rectangle) -> ((f64, f64), (f64, f64)) {
+    let half = (one.width / 2.0, one.height / 2.0);
+    ((one.x - half.0, one.y - half.1), (one.x + half.0, one.y + half.1))
+}
+
 #[test]
 fn boxes_do_not_overlap_and_lie_inside_drawing() {
     for seed in 0..200 {
-        let layers = Layers::new(&random(seed, seed % 2 == 0));
-        let placement = Placement::new(&layers);
-        let boxes: Vec<_> = (0..layers.items.len()).map(|item| (placement.of(item), layers.items[item])).collect();
-        for (index, &((x, y), item)) in boxes.iter().enumerate() {
-            let half = if item == Item::Dummy { 0.0 } else { BOX_WIDTH / 2.0 };
-            assert!(x - half > 0.0 && x + half < placement.width, "seed {seed}");
-            assert!(y > 0.0 && y + BOX_HEIGHT < placement.height, "seed {seed}");
-            for &((other, row), _) in &boxes[index + 1..] {
-                assert!((y - row).abs() > BOX_HEIGHT || (x - other).abs() > half, "seed {seed}");
-            }
+        let drawn = laid_out(&random(seed, seed % 2 == 0));
+        for (index, one) in drawn.boxes.iter().enumerate() {
+            let (from, to) = corners(one);
+            assert!(from.0 > 0.0 && to.0 < drawn.width && from.1 > 0.0 && to.1 < drawn.height, "seed {seed}");
+            let others = &drawn.boxes[index + 1..];
+            assert!(others.iter().all(|other| !covers(other, (from, to), 0.0)), "seed {seed}");
         }
     }
 }
 
 #[test]
-fn segments_lead_from_owner_to_target() {
+fn lines_lead_around_boxes_from_owner_to_target() {
     for seed in 0..200 {
         let graph = random(seed, seed % 2 == 0);
-        let layers = Layers::new(&graph);
-        for (from, node) in graph.components.iter().enumerate() {
-            for link in node.links.iter().filter(|link| link.to != from) {
-                let leads = |from: usize, to: usize, upward: bool| {
-                    let mut reached = vec![from];
-                    while let Some(item) = reached.pop() {
-                        let next = layers.segments.iter().filter(|s| s.upper == item && s.upward == upward);
-                        for segment in next.filter(|segment| segment.kind == link.kind) {
-                            if segment.lower == to {
-                                return true;
-                            }
-                            if layers.items[segment.lower] == Item::Dummy {
-                                reached.push(segment.lower);
-                            }
-                        }
-                    }
-                    false
-                };
-                assert!(leads(from, link.to, false) || leads(link.to, from, true), "seed {seed}");
+        let drawn = laid_out(&graph);
+        let components = graph.components.iter().enumerate();
+        let links = components.flat_map(|(from, one)| one.links.iter().map(move |link| (from, link.to)));
+        for ((from, to), line) in links.zip(&drawn.lines) {
+            let [from, to] = [from, to].map(|index| &drawn.boxes[index]);
+            let (upper, lower) = if from.y < to.y { (from, to) } else { (to, from) };
+            if upper.y < lower.y {
+                let (first, last) = (line[0], line[line.len() - 1]);
+                assert!(covers(upper, (first, first), -1.0) && covers(lower, (last, last), -1.0), "seed {seed}");
             }
-        }
-    }
-}
-
-#[test]
-fn routes_lead_from_owner_to_target() {
-    for seed in 0..200 {
-        let tree = random(seed, false);
-        let layers = Layers::new(&tree);
-        for (from, (node, ways)) in tree.components.iter().zip(routes(&tree, &layers)).enumerate() {
-            for (link, way) in node.links.iter().zip(ways) {
-                let mut at = from;
-                for segment in way.iter().map(|&index| layers.segments[index]) {
-                    assert_eq!((segment.upper, segment.kind), (at, link.kind), "seed {seed}");
-                    at = segment.lower;
-                }
-                assert_eq!(at, link.to, "seed {seed}");
+            for pair in line.windows(2) {
+                let crossed = drawn.boxes.iter().any(|one| covers(one, (pair[0], pair[1]), 0.5));
+                assert!(!crossed, "seed {seed}: {line:?}");
             }
         }
     }

@@ -1,14 +1,13 @@
 // The activation tree: what is active, in which state, at which rate and cost.
 
-import { effect, html, useEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
+import { request } from '../lib/connection.js';
+import { effect, html, useEffect, useMemo, useRef, useSignal, useState } from '../lib/dom.js';
 import { bind, isPointed } from '../lib/keys.js';
 import { openComponent } from '../lib/dock.js';
 import { command, hovered, selected, session, watch } from '../lib/store.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
 import { carry } from '../vicode/carry.js';
 import { LOW, TALL, drawBox, widthsOf } from './tree/boxes.js';
-import { READABLE, placed } from './tree/places.js';
-import { wired } from './tree/wires.js';
 
 /** Components that a folded one hides: those that the root reaches only through it. */
 function hiddenBy(description, folded) {
@@ -32,7 +31,7 @@ export function Tree({ visible }) {
   const folded = useSignal(new Set());
   const box = useSignal(null);
   const size = useSignal([600, 400]);
-  const drawing = useMemo(() => (kinds?.length ? draw(description, size.value) : null), [description, kinds, size.value]);
+  const drawing = useDrawing(description, kinds, size.value);
   const field = useRef(null);
   useEffect(() => bind({ key: '/', text: 'search a component', group: 'Tree', run: () => field.current?.focus() }), []);
   useEffect(() => (visible.value ? watch({ costs: true }) : undefined), [visible.value]);
@@ -44,8 +43,8 @@ export function Tree({ visible }) {
   }
   if (!kinds?.length) return html`<${Empty} what="This tree is too large to draw" help="Use the search of the timeline, and the component tabs." />`;
   const found = description.components.filter((component) => matches(component, search.value)).length;
-  const fit = () => { box.value = [0, 0, drawing.width, drawing.height]; };
-  const zoom = (factor) => { box.value = zoomed(box.value ?? first(drawing, size.value), factor, 0.5, 0.5); };
+  const fit = () => { if (drawing) box.value = [0, 0, drawing.width, drawing.height]; };
+  const zoom = (factor) => { if (drawing) box.value = zoomed(box.value ?? first(drawing, size.value), factor, 0.5, 0.5); };
   return html`<${Bar} label="Activation tree">
       <input ref=${field} type="search" placeholder="Search ( / )" aria-label="Search components" value=${search.value} onInput=${(event) => { search.value = event.target.value; }}
         onKeyDown=${(event) => event.key === 'Enter' && openFirst(description, search)} />
@@ -57,13 +56,27 @@ export function Tree({ visible }) {
       ${folded.value.size > 0 && html`<button onClick=${() => { folded.value = new Set(); }}>Unfold all</button>`}
     <//>
     <${Holds} shown=${shown} />
-    <${Drawn} ...${{ shown, description, kinds, drawing, search, activeOnly, folded, box, size, visible }} />`;
+    ${drawing && html`<${Drawn} ...${{ shown, description, kinds, drawing, search, activeOnly, folded, box, size, visible }} />`}`;
 }
 
-/** Places and wires for the size of the panel. */
-function draw({ components }, size) {
-  const places = placed(components, widthsOf(components), size, { low: LOW, tall: TALL });
-  return { ...places, wires: wired(components.flatMap(({ links }, from) => links.map(({ to }) => ({ from, to }))), places) };
+/** The drawing of a tree in a panel of a size; until the server has laid it out, as it was before. */
+function useDrawing(description, kinds, size) {
+  const [last, set] = useState({});
+  useEffect(() => {
+    let isWanted = Boolean(kinds?.length);
+    if (isWanted) laidOut(description, size).then((drawing) => isWanted && set({ description, drawing }), () => {});
+    return () => { isWanted = false; };
+  }, [description, kinds, size]);
+  return last.description === description ? last.drawing : null;
+}
+
+/** The layout by the server: {boxes, width, height, lines: path of each link, trunks: number of the trunk of each link}. Components with the same children share one trunk. */
+async function laidOut({ components }, size) {
+  const children = components.map(({ links }) => [...new Set(links.map(({ to }) => to))].sort((a, b) => a - b).join());
+  const names = [...new Set(children)];
+  const links = components.flatMap((component, from) => component.links.map(({ to }) => [from, to, names.indexOf(children[from])]));
+  const drawing = await request('arrange', { drawing: { kind: 'tree', widths: widthsOf(components), links, size, heights: [LOW, TALL] } });
+  return { ...drawing, trunks: links.map(([, , trunk]) => trunk) };
 }
 
 /** What is held, and the button that ends it. */
@@ -77,6 +90,9 @@ function Holds({ shown }) {
   return html`<div class="holds" role="status"><b>${held.length} hold${held.length > 1 ? 's' : ''}</b> <span class="names">${held.map(({ name, hold }) => `${name} ${hold}`).join(' · ')}</span>
     <span class="dim until">end 3 s after this page is gone</span><span class="grow"></span><button disabled=${!shown.info.value.can.operate} onClick=${release}>Release all</button></div>`;
 }
+
+/** Least scale at which the names of a tree can be read. */
+const READABLE = 0.96;
 
 const matches = (component, text) => component.name.toLowerCase().includes(text.toLowerCase().trim());
 /** The text of a search, or an empty one if no component matches. */
@@ -181,7 +197,7 @@ function Drawn({ shown, description, kinds, drawing, search, activeOnly, folded,
     event.stopPropagation();
   };
   return html`<svg class="tree fill" ref=${svg} viewBox=${`${x} ${y} ${width} ${height}`} role="group" aria-label="Activation tree" onFocusIn=${reveal} onWheel=${wheel} onPointerDown=${drag}>
-    ${trunks(drawing, links).map((all) => html`<g class=${`wires ${kinds[links[all[0]].from]}`}>${all.map((index) => html`<path class="link" data-link=${index} d=${drawing.wires[index].d} />`)}</g>`)}
+    ${trunksOf(drawing).map((all) => html`<g class=${`wires ${kinds[links[all[0]].from]}`}>${all.map((index) => html`<path class="link" data-link=${index} d=${drawing.lines[index]} />`)}</g>`)}
     ${description.components.map((component, index) => {
       const { x: centre, y: middle, width: wide, height: tall } = drawing.boxes[index];
       const two = tall >= TALL;
@@ -220,4 +236,4 @@ function isActive(components, { from, to, state }) {
 }
 
 /** The numbers of the links of each trunk. */
-const trunks = ({ wires }, links) => [...Map.groupBy(links.keys(), (index) => wires[index].trunk).values()];
+const trunksOf = ({ trunks }) => [...Map.groupBy(trunks.keys(), (index) => trunks[index]).values()];

@@ -10,7 +10,7 @@ import { bindCanvasKeys } from '../vicode/canvas/keys.js';
 import { Minimap } from '../vicode/canvas/minimap.js';
 import { Notes } from '../vicode/canvas/notes.js';
 import { band, doubleClick, press, sketch, target, wheel } from '../vicode/canvas/pointer.js';
-import { ALL, NAMES } from '../vicode/canvas/rows.js';
+import { ALL, NAMES, arrange, isLaidOut } from '../vicode/canvas/rows.js';
 import { stage } from '../vicode/canvas/stage.js';
 import { Conflict } from '../vicode/conflict.js';
 import { Footer, Tools } from '../vicode/frame.js';
@@ -55,12 +55,25 @@ export function Designer({ visible, retitle }) {
   const own = machine.value;
   const isHidden = isBroken.value && valid.current?.file === openedFile.value && valid.current.own.name === name && !(own?.states.length >= valid.current.own.states.length);
   if (own && !isHidden) valid.current = { own, file: openedFile.value };
-  const drawn = isHidden ? valid.current.own : (mode.value === 'diff' && bothVersions()) || own;
+  const drawn = isHidden ? valid.current.own : (mode.value === 'diff' && bothVersions.value) || own;
+  const ready = useLaidOut(drawn);
   const { Legend } = USES[mode.value];
   return html`<${Tools} search=${search} />
-    ${opened.value?.conflict ? html`<${Conflict} />` : drawn ? html`<${Canvas} machine=${drawn} isStale=${isHidden} search=${search} visible=${visible} />${Legend && html`<${Legend} />`}`
+    ${opened.value?.conflict ? html`<${Conflict} />` : drawn ? ready && html`<${Canvas} machine=${ready} isStale=${isHidden} search=${search} visible=${visible} />${Legend && html`<${Legend} />`}`
       : html`<${Empty} what=${opened.value ? `${opened.value.file} has no component` : 'No component is open'} help=${opened.value ? 'Its mistakes are listed below; the text is in the code panel.' : list.value?.length === 0 ? 'There is none below the folder of --source. Press “New…” for the first one.' : 'Choose one in Sources, or press “New…”.'} />`}
     <${Footer} />`;
+}
+
+/** A machine if it can be drawn; until the server has laid it out, as it was before. */
+function useLaidOut(own) {
+  const [, draw] = useState(null);
+  const last = useRef(null);
+  const { shape } = stage.look.value;
+  const isPlaced = positions.value.some(({ component: of, placed }) => placed && of === own?.name);
+  const isReady = own !== null && (isPlaced || isLaidOut(own, shape));
+  useEffect(() => { if (own && !isReady) arrange(own, shape).then(draw, () => {}); }, [own, shape, isReady]);
+  if (isReady) last.current = { own, file: openedFile.value };
+  return last.current?.file === openedFile.value && last.current.own.name === own?.name ? last.current.own : null;
 }
 
 function Canvas({ machine: own, isStale, search, visible }) {
@@ -74,7 +87,7 @@ function Canvas({ machine: own, isStale, search, visible }) {
   useMemo(() => stage.begin(own), [shown, isReady]);
   // Drawn from the machine and the places, once the size is known; kept while only the selection changes.
   const look = stage.look.value;
-  useMemo(() => isReady && stage.take(own, positions.value, notes.value), [own, positions.value, notes.value, look, isReady]);
+  useMemo(() => isReady && stage.take(own, positions.value, notes.value), [own, positions.value, notes.value, look, isReady, isLaidOut(own, look.shape)]);
   const chosen = new Set(selection.value);
   const text = search.value.trim().toLowerCase();
   const found = (name) => (text === '' ? null : name.toLowerCase().includes(text));
@@ -92,8 +105,8 @@ function Canvas({ machine: own, isStale, search, visible }) {
     return () => ends.forEach((end) => end());
   }, []);
   useLayoutEffect(() => { if (isReady) stage.fit(); }, [shown, isReady]);
-  // The drawing of both versions comes after its legend, with which the panel gets another size.
-  useLayoutEffect(() => { if (view.whole) stage.fit(); }, [stage.notes.length, mode.value === 'diff' && own.states.length]);
+  // The drawing of both versions comes after its legend, with which the panel gets another size, and so may one that was laid out.
+  useLayoutEffect(() => { if (view.whole) stage.fit(); }, [stage.notes.length, mode.value === 'diff' && own.states.length, view.isAutomatic && own]);
   useLayoutEffect(() => stage.settle(), [look]);
   useLayoutEffect(() => {
     stage.collect(layer.current);

@@ -1,6 +1,6 @@
 // The difference from the last commit: both versions on one drawing, and the list of changes.
 
-import { effect, html, signal } from '../lib/dom.js';
+import { computed, effect, html, signal } from '../lib/dom.js';
 import { Empty } from '../lib/ui.js';
 import { request } from '../lib/connection.js';
 import { focusOn } from './canvas/keys.js';
@@ -32,7 +32,7 @@ const own = () => difference.value?.comparison?.components.find(({ key }) => key
 const marked = (one, change) => (change ? { ...one, mark: change, sign: SIGNS[change] } : one);
 
 /** The machine with the parts of both versions and their marks; null if there is no difference to show. */
-export function bothVersions() {
+export const bothVersions = computed(() => {
   const change = own();
   const both = difference.value?.both?.[component.value];
   if (!change || !both) return null;
@@ -40,7 +40,7 @@ export function bothVersions() {
   const found = ({ name, from, to }) => change.marks.arrows.find((one) => one.name === name && one.from === from && one.to === to)?.change;
   const drawn = { states: states.map((one) => marked(one, change.marks.states[one.name])), arrows: arrows.map((one) => marked(one, found(one))) };
   return { ...machineOf({ components: [both] }, component.value), ...drawn, byKey: new Map([...drawn.states, ...drawn.arrows].map((one) => [one.key, one])) };
-}
+});
 
 /** Shows a part on the drawing, if it is still in the text. */
 function show({ part, name }) {

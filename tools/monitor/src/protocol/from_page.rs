@@ -3,7 +3,7 @@
 use bica_wire::model::{NamedRequest, NamedSetting};
 use serde::{Deserialize, Serialize};
 
-use super::{Breakpoint, Open, SessionId, SourceRequest, Watch};
+use super::{Arrange, Breakpoint, Open, SessionId, SourceRequest, Watch};
 
 /// A message from the page, with the identifier of its answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -18,9 +18,9 @@ pub struct FromPage {
     pub request: Request,
 }
 
-/// A request of the page. In brackets: the `result` of the answer, if there is one. All but `Open`, `Recordings`, `Layouts`,
-/// `SaveLayout` and `Source` concern the session of the message. Times, from `from_us` until `until_us`, are µs. Components,
-/// outputs and parameters are indices of the description.
+/// A request of the page. In brackets: the `result` of the answer, if there is one. All but `Open`, `Recordings`, `Arrange`,
+/// `Layouts`, `SaveLayout` and `Source` concern the session of the message. Times, from `from_us` until `until_us`, are µs.
+/// Components, outputs and parameters are indices of the description.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 #[expect(missing_docs, reason = "the fields are explained at their variants")]
@@ -91,6 +91,8 @@ pub enum Request {
     SaveSource { component: usize, param: usize },
     /// Lists where a parameter is declared and read in the sources. [list of [`SourceUse`](super::SourceUse)]
     ParamUses { component: usize, param: usize },
+    /// Lays a drawing out. [[`Arrange::answer`]]
+    Arrange { drawing: Arrange },
     /// Reads layouts of panels. [object from name to layout]
     Layouts {},
     /// Saves a layout of panels; `null` deletes it.

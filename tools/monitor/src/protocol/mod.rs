@@ -8,6 +8,7 @@
 //! Everything else that the server sends is state: a page that missed a message is up to date again after the next one of the same
 //! kind.
 
+mod arrange;
 pub mod binary;
 mod breakpoint;
 mod compiler;
@@ -22,6 +23,7 @@ mod to_page;
 mod watch;
 mod world;
 
+pub use arrange::Arrange;
 pub use breakpoint::{Breakpoint, Hit, Reached};
 pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
 pub use from_page::{FromPage, Request};

@@ -152,6 +152,7 @@ impl Manager {
         match request {
             Request::Open { source } => return self.open(source).map(|session| Some(json!({ "session": session }))),
             Request::Recordings {} => return Ok(Some(storage::recordings(&self.common.options))),
+            Request::Arrange { drawing } => return drawing.answer().map(Some),
             Request::Layouts {} => return storage::layouts(&self.common.options).map(Some),
             Request::Source { request } => return self.editor()?.handle(page, request).map(Some),
             Request::SaveLayout { name, layout } => {
@@ -256,6 +257,7 @@ impl Manager {
                 | Request::Coverage { .. }
                 | Request::ParamUses { .. }
                 | Request::Recordings {}
+                | Request::Arrange { .. }
                 | Request::Layouts {}
                 | Request::Source { .. }
                 | Request::Compare { .. }

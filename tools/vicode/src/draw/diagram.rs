@@ -1,13 +1,13 @@
 //! Drawing of a machine, in points.
 
-use bica_syntax::component::model::Machine;
+use bica_syntax::component::model::{self, Machine, MachineState};
 
-use super::automatic;
+use super::automatic::{arranged, arrows, automatic};
 use super::parts::{Edge, HEIGHT, LINE, Label, Node, WIDTH, height, hooks_of};
 use super::route::{course, place_names};
 use crate::compare::Marks;
 use crate::files::Layout;
-use crate::model::{Component, Function, links};
+use crate::model::{Component, Function, State, links};
 
 /// Margin around the drawing, points.
 const MARGIN: f32 = 50.0;
@@ -50,60 +50,96 @@ impl Diagram {
     }
 
     fn marked(component: &Component, layout: &Layout, marks: &Marks) -> Self {
-        let positions = automatic(component, layout);
-        let mut nodes: Vec<Node> = Vec::new();
         let machine = component.machine();
-        for (index, (state, at)) in component.states.iter().zip(positions).enumerate() {
+        let node = |(index, (state, parts)): (usize, (&State, &MachineState<&Function>))| {
             let name = state.function.name.text.clone();
-            let links = links(Some(index), machine.states[index].functions().copied());
-            let hooks = hooks_of(component, &name);
+            let (hooks, links) = (hooks_of(component, &name), links(Some(index), parts.functions().copied()));
+            let (size, mark) = ((WIDTH, height(hooks.len() + links.len())), marks.states.get(&name).copied());
             let takes = component.takes(&name).map(str::to_owned);
-            let size = (WIDTH, height(hooks.len() + links.len()));
-            let centre = (at.x as f32, at.y as f32);
-            let mark = marks.states.get(&name).copied();
-            let (initial, last, end) = (state.initial, state.last, state.end);
-            nodes.push(Node { name, initial, last, centre, size, takes, end, hooks, links, mark });
-        }
+            let (initial, last, end, centre) = (state.initial, state.last, state.end, (0.0, 0.0));
+            Node { name, initial, last, centre, size, takes, end, hooks, links, mark }
+        };
+        let nodes = component.states.iter().zip(&machine.states).enumerate().map(node).collect();
         let mut diagram = Self { name: component.name.text.clone(), nodes, ..Self::default() };
-        diagram.connect(&machine, marks);
+        if component.states.iter().any(|state| layout.get(&component.key, &state.function.name.text).is_some()) {
+            for (node, at) in diagram.nodes.iter_mut().zip(automatic(component, layout)) {
+                node.centre = (at.x as f32, at.y as f32);
+            }
+            diagram.connect(&machine, marks);
+        } else {
+            diagram.arrange(component, &machine, marks);
+        }
         diagram.frame();
         diagram
     }
 
+    /// Takes places and lines of the automatic layout.
+    fn arrange(&mut self, component: &Component, machine: &Machine<&Function>, marks: &Marks) {
+        let arrows = arrows(machine);
+        let drawn = arranged(component, machine, &arrows);
+        let points = |line: &[(f64, f64)]| line.iter().map(|(x, y)| (*x as f32, *y as f32)).collect();
+        for (node, place) in self.nodes.iter_mut().zip(&drawn.boxes) {
+            node.centre = (place.x as f32, place.y as f32);
+        }
+        for (index, (edge, course)) in arrows.iter().zip(drawn.courses).enumerate() {
+            let label = self.label(edge, marks);
+            self.edges.push(Edge {
+                mark: label.mark,
+                points: points(&course.points),
+                leader: points(&course.leader),
+                label_at: (course.label.0 as f32, course.label.1 as f32),
+                labels: if course.owner == index { vec![label] } else { Vec::new() },
+            });
+        }
+    }
+
+    /// Name and timer of an edge; one from all states begins with `*`.
+    fn label(&self, edge: &model::Edge<&Function>, marks: &Marks) -> Label {
+        let from = if edge.any { "*" } else { &self.nodes[edge.from].name };
+        let mut label = Label::new(edge, marks.arrow(&edge.name(), from, &self.nodes[edge.to].name));
+        if edge.any {
+            label.text.insert_str(0, "* ");
+        }
+        label
+    }
+
+    /// Draws curves between states that a person has placed.
     fn connect(&mut self, machine: &Machine<&Function>, marks: &Marks) {
         let mut pairs: Vec<(Pair, Vec<Label>)> = Vec::new();
-        let mut add = |pair, label: Label| match pairs.iter_mut().find(|(known, _)| *known == pair) {
-            Some((_, labels)) if labels.contains(&label) => {}
-            Some((_, labels)) => labels.push(label),
-            None => pairs.push((pair, vec![label])),
-        };
-        for edge in &machine.edges {
-            let from = if edge.any { "*" } else { &self.nodes[edge.from].name };
-            let label = Label::new(edge, marks.arrow(&edge.name(), from, &self.nodes[edge.to].name));
-            add(((!edge.any).then_some(edge.from), edge.to), label);
+        for edge in arrows(machine) {
+            let (pair, label) = (((!edge.any).then_some(edge.from), edge.to), self.label(edge, marks));
+            match pairs.iter_mut().find(|(known, _)| *known == pair) {
+                Some((_, labels)) => labels.push(label),
+                None => pairs.push((pair, vec![label])),
+            }
         }
         self.edges = pairs.into_iter().map(|((from, to), labels)| self.edge(from, to, labels)).collect();
         place_names(&mut self.edges, &self.nodes);
     }
 
-    fn edge(&self, from: Option<usize>, to: usize, mut labels: Vec<Label>) -> Edge {
+    fn edge(&self, from: Option<usize>, to: usize, labels: Vec<Label>) -> Edge {
         let end = &self.nodes[to];
-        let Some(from) = from.map(|from| &self.nodes[from]) else {
-            // From all states: a short arrow from above.
-            let top = (end.centre.0 + 40.0, end.centre.1 - end.size.1 / 2.0);
-            let points = vec![(top.0, top.1 - 34.0), top];
-            for label in &mut labels {
-                label.text.insert_str(0, "* ");
+        let mark = labels.first().and_then(|first| first.mark);
+        let mark = mark.filter(|_| labels.iter().all(|label| label.mark == mark));
+        let edge = |points, label_at| Edge { mark, leader: Vec::new(), points, label_at, labels: Vec::new() };
+        let edge = match from.map(|from| &self.nodes[from]) {
+            None => {
+                // From all states: a short arrow from above.
+                let top = (end.centre.0 + 40.0, end.centre.1 - end.size.1 / 2.0);
+                edge(vec![(top.0, top.1 - 34.0), top], (top.0, top.1 - 36.0 - LINE * labels.len() as f32 / 2.0))
             }
-            return Edge { label_at: (top.0, top.1 - 36.0 - LINE * labels.len() as f32 / 2.0), labels, points };
+            Some(from) if std::ptr::eq(from, end) => {
+                let (x, y) = (end.centre.0 + end.size.0 / 2.0, end.centre.1);
+                let points = vec![(x, y - 10.0), (x + 24.0, y - 16.0), (x + 24.0, y + 16.0), (x, y + 10.0)];
+                edge(points, (x + 60.0, y))
+            }
+            Some(from) => {
+                let points = course(from, end, &self.nodes);
+                let middle = points[points.len() / 2];
+                edge(points, middle)
+            }
         };
-        if std::ptr::eq(from, end) {
-            let (x, y) = (end.centre.0 + end.size.0 / 2.0, end.centre.1);
-            let points = vec![(x, y - 10.0), (x + 24.0, y - 16.0), (x + 24.0, y + 16.0), (x, y + 10.0)];
-            return Edge { labels, points, label_at: (x + 60.0, y) };
-        }
-        let points = course(from, end, &self.nodes);
-        Edge { label_at: points[points.len() / 2], labels, points }
+        Edge { labels, ..edge }
     }
 
     /// Moves all parts so that they lie inside the drawing, and sets its size.
@@ -125,7 +161,8 @@ impl Diagram {
             node.centre = (node.centre.0 + x, node.centre.1 + y);
         }
         for edge in &mut self.edges {
-            edge.points.iter_mut().for_each(|point| *point = (point.0 + x, point.1 + y));
+            let points = edge.points.iter_mut().chain(&mut edge.leader);
+            points.for_each(|point| *point = (point.0 + x, point.1 + y));
             edge.label_at = (edge.label_at.0 + x, edge.label_at.1 + y);
         }
         (self.width, self.height) = (right - left + 2.0 * MARGIN, bottom - top + 2.0 * MARGIN);

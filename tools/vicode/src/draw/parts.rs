@@ -10,7 +10,6 @@ pub(super) const WIDTH: f32 = 160.0;
 pub(super) const HEIGHT: f32 = 40.0;
 /// Height of a line of text, points.
 pub(super) const LINE: f32 = 14.0;
-
 /// A state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
@@ -36,15 +35,19 @@ pub struct Node {
     pub mark: Option<Change>,
 }
 
-/// Transitions from one state to another.
+/// A transition, or several ones from one state to one other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
-    /// Names and timers, one line each.
+    /// Names and timers, one line each; none if another line of the same transition has the name.
     pub labels: Vec<Label>,
-    /// The curve, points.
+    /// The line, points.
     pub points: Vec<(f32, f32)>,
+    /// The line to labels that stand beside it, points; empty without one.
+    pub leader: Vec<(f32, f32)>,
     /// Middle of the labels, points.
     pub label_at: (f32, f32),
+    /// How it differs, in a difference: as all its transitions do, else it is equal.
+    pub mark: Option<Change>,
 }
 
 /// Name and timer of a transition.
@@ -87,15 +90,6 @@ impl Label {
     pub(super) fn new(edge: &model::Edge<&Function>, mark: Option<Change>) -> Self {
         let sign = mark.map_or_else(String::new, |mark| format!("{} ", mark.sign()));
         Self { text: format!("{sign}{}", label(edge)), mark }
-    }
-}
-
-impl Edge {
-    /// Returns the mark that all its transitions have in common, if any.
-    #[must_use]
-    pub fn mark(&self) -> Option<Change> {
-        let first = self.labels.first()?.mark;
-        first.filter(|_| self.labels.iter().all(|label| label.mark == first))
     }
 }
 

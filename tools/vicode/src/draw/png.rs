@@ -45,8 +45,10 @@ fn state(canvas: &mut Canvas, node: &Node) {
 }
 
 fn arrow(canvas: &mut Canvas, edge: &Edge) {
-    let points: Vec<Vec2> = edge.points.iter().map(|(x, y)| Vec2::new(*x, *y)).collect();
-    canvas.polyline(&points, 1.5, GREY);
+    for line in [&edge.leader, &edge.points] {
+        let points: Vec<Vec2> = line.iter().map(|(x, y)| Vec2::new(*x, *y)).collect();
+        canvas.polyline(&points, 1.5, GREY);
+    }
     if let Some([tip, left, right]) = edge.head() {
         canvas.polygon(&[Vec2::from(tip), Vec2::from(left), Vec2::from(right)], GREY);
     }

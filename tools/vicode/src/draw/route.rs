@@ -13,7 +13,7 @@ const TRIES: [f32; 11] = [0.0, 40.0, 80.0, -44.0, 130.0, -90.0, 190.0, -140.0, 2
 /// Candidates for the position of a label along its curve, 0 to 1, the preferred one first.
 const ALONG: [f32; 9] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82];
 /// Width of a letter and height of a line of a label, points.
-const LETTER: (f32, f32) = (6.0, 13.0);
+pub(super) const LETTER: (f32, f32) = (6.0, 13.0);
 
 /// Returns the curve from one state to another. It bends to the right of the straight line, so that the curves of both directions are
 /// apart. It bends more, or to the left, if it would cross other states.

@@ -60,7 +60,7 @@ pub fn svg(diagram: &Diagram) -> String {
         escaped(&diagram.name)
     );
     let of = |mark| style(mark, diagram.is_difference);
-    diagram.edges.iter().for_each(|edge| arrow(&mut out, edge, of(edge.mark()), diagram.is_difference));
+    diagram.edges.iter().for_each(|edge| arrow(&mut out, edge, of(edge.mark), diagram.is_difference));
     diagram.nodes.iter().for_each(|node| state(&mut out, node, of(node.mark)));
     diagram.edges.iter().for_each(|edge| names(&mut out, edge, &of));
     if diagram.is_difference {
@@ -100,15 +100,18 @@ fn text(out: &mut String, (x, y): (f32, f32), colour: &str, attributes: &str, te
 }
 
 fn arrow(out: &mut String, edge: &Edge, style: Style, is_difference: bool) {
-    let points: Vec<String> = edge.points.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
     let Style { dashes, thickness, .. } = style;
     let colour = if is_difference { style.border } else { GREY };
-    writeln!(
-        out,
-        "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{thickness}\" {dashes}/>",
-        points.join(" ")
-    )
-    .unwrap_or_default();
+    for line in [&edge.leader, &edge.points].into_iter().filter(|line| !line.is_empty()) {
+        let points: Vec<String> = line.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
+        writeln!(
+            out,
+            "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{thickness}\" \
+             stroke-linejoin=\"round\" {dashes}/>",
+            points.join(" ")
+        )
+        .unwrap_or_default();
+    }
     if let Some([tip, left, right]) = edge.head() {
         writeln!(
             out,

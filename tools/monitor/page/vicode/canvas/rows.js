@@ -1,58 +1,56 @@
-// The automatic places of states: rows that fill the shape of the panel. The corridors between them hold a lane for each transition.
+// The automatic places of states and courses of arrows: the server lays a machine out for the shape of the panel.
 
-import { columns, sortRows } from '../../panels/tree/places.js';
+import { request } from '../../lib/connection.js';
 import { boxOf } from './boxes.js';
-import { routed } from './routes.js';
+import { labelWidth } from './labels.js';
 
 /** What is drawn: all, names and conditions, names. */
 export const [ALL, CONDITIONS, NAMES] = [1, 2, 3];
-/** White between two states of a row, and the usual size of a state with its surroundings, by level, points. */
-const GAP = { [ALL]: 70, [CONDITIONS]: 60, [NAMES]: 34 };
-const CELL = { [ALL]: [260, 230], [CONDITIONS]: [220, 140], [NAMES]: [150, 86] };
+const LEVELS = [ALL, CONDITIONS, NAMES];
 
-/** Places of all states and courses of all arrows: {boxes: Map by name, courses: Map by key, area}. `shape` is width by height of the panel. */
-export function arranged({ states, arrows }, level, shape) {
-  const boxes = states.map((state) => {
-    const box = boxOf(state, level);
-    return { name: state.name, width: box.width, height: box.height, box };
-  });
-  const index = new Map(states.map(({ name }, at) => [name, at]));
-  const links = states.map(() => []);
-  for (const { from, to, any } of arrows) if (!any && from !== to) links[index.get(from)].push({ to: index.get(to) });
-  const [wide, tall] = CELL[level];
-  const usual = Math.max(1, Math.round(Math.sqrt(states.length * shape * (tall / wide))));
-  const sequence = order(states, links);
-  // The scale of a drawing in a panel of this shape.
-  const scale = ({ area }) => Math.min(shape / area.width, 1 / area.height);
-  const tries = states.length > FEW ? [usual] : [usual, usual + 1, usual + 2, usual - 1].filter((columns) => columns > 0);
-  return tries.map((count) => placed(chunked(sequence, count), { arrows, boxes: boxes.map((box) => ({ ...box })), links }, level)).reduce((best, one) => (scale(one) > scale(best) ? one : best));
+/** By machine and shape: {answer: promise, layouts: by level, once they are there}. */
+const asked = new WeakMap();
+const entry = (machine, shape) => asked.get(machine)?.get(shape);
+
+/** Whether the server has laid a machine out for a shape. */
+export const isLaidOut = (machine, shape) => Boolean(entry(machine, shape)?.layouts);
+
+/** The layout of a machine, {boxes: Map by name, courses: Map by key, area}; null if the server has not sent it. */
+export function layoutOf(machine, level, shape) {
+  const layout = entry(machine, shape)?.layouts?.[level - ALL];
+  // Boxes are moved while they are dragged.
+  return layout ? { ...layout, boxes: new Map([...layout.boxes].map(([name, box]) => [name, { ...box }])), courses: new Map(layout.courses) } : null;
 }
 
-/** Number of states above which only one number of columns is tried. */
-const FEW = 40;
-
-function placed(rows, { arrows, boxes, links }, level) {
-  const components = links.map((all) => ({ links: all }));
-  sortRows(rows, components);
-  const widths = boxes.map(({ width }) => width);
-  const width = Math.max(0, ...rows.map((row) => row.reduce((sum, at) => sum + widths[at] + GAP[level], 0)));
-  const x = columns(rows, components, widths, { width, gap: GAP[level] });
-  rows.forEach((row, number) => row.forEach((at) => Object.assign(boxes[at], { row: number, x: x[at], y: 0 })));
-  const named = new Map(boxes.map((box) => [box.name, box]));
-  return { boxes: named, ...routed(arrows, { boxes: named, rows: rows.map((row) => row.map((at) => boxes[at])), width }, level) };
-}
-
-/** States by their distance from the initial one; those that it does not reach last. */
-function order(states, links) {
-  const initial = Math.max(0, states.findIndex((state) => state.initial));
-  const found = new Set();
-  for (const start of [initial, ...states.keys()]) {
-    if (start >= states.length) continue;
-    found.add(start);
-    // A set that grows is gone through to its end.
-    for (const at of found) links[at].forEach(({ to }) => found.add(to));
+/** Asks for the layouts of a machine, once; `shape` is width by height of the panel. */
+export function arrange(machine, shape) {
+  if (!asked.has(machine)) asked.set(machine, new Map());
+  const known = asked.get(machine);
+  if (!known.has(shape)) {
+    known.set(shape, { layouts: null, answer: laidOut(machine, shape) });
+    known.get(shape).answer.then((layouts) => { known.get(shape).layouts = layouts; }, () => known.delete(shape));
   }
-  return [...found];
+  return known.get(shape).answer;
 }
 
-const chunked = (all, size) => Array.from({ length: Math.ceil(all.length / size) }, (_, at) => all.slice(at * size, (at + 1) * size));
+async function laidOut({ states, arrows }, shape) {
+  const index = new Map(states.map(({ name }, at) => [name, at]));
+  const all = LEVELS.map((level) => states.map((state) => boxOf(state, level)));
+  const drawing = {
+    kind: 'machine',
+    shape,
+    initial: Math.max(0, states.findIndex(({ initial }) => initial)),
+    looks: all.map((boxes) => boxes.map(({ width, height }) => [width, height])),
+    arrows: arrows.map((arrow) => ({ name: arrow.name, from: arrow.any ? null : index.get(arrow.from), to: index.get(arrow.to), width: labelWidth(arrow) })),
+  };
+  const layouts = await request('arrange', { drawing });
+  return layouts.map(({ boxes, courses, area }, look) => ({
+    boxes: new Map(states.map(({ name }, at) => [name, { name, ...boxes[at], box: all[look][at] }])),
+    courses: new Map(arrows.map(({ key, any }, at) => {
+      const { owner, start, end, ...course } = courses[at];
+      const ends = any ? { start: [start[0], course.label[1]] } : { start, end };
+      return [key, { ...course, ...ends, anchor: 'middle', owner: arrows[owner].key }];
+    })),
+    area: { x: area.x - area.width / 2, y: area.y - area.height / 2, width: area.width, height: area.height },
+  }));
+}

@@ -7,7 +7,7 @@ import { labelWidth } from './labels.js';
 import { Lifted } from './lifted.js';
 import { apart, wanted } from './names.js';
 import { laidOut } from './notes.js';
-import { ALL, NAMES, arranged } from './rows.js';
+import { ALL, NAMES, arrange, isLaidOut, layoutOf } from './rows.js';
 import { View } from './view.js';
 
 /** Least width that is kept free for the live text below a name, and the height of both, points. */
@@ -30,6 +30,8 @@ const SMALLER = 1.6;
 
 /** Number of states above which an automatic drawing begins with names only. */
 const FEW = 30;
+/** Largest quotient of two shapes of the panel, width by height, for which a drawing stays as it is. */
+const SIMILAR = 1.4;
 /** Scales from which an automatic drawing shows more, and less. */
 const [MORE, LESS] = [1.5, 0.62];
 
@@ -39,7 +41,7 @@ class Stage {
     this.view.onZoom = (x, y) => this.zoomed(x, y);
     this.view.listeners.add(() => this.placeNames());
     /** How much an automatic drawing shows, and width by height of its panel. */
-    this.look = signal({ level: ALL, shape: 1.3 });
+    this.look = signal({ level: ALL, shape: 1.25 });
     /** The state that stays in its place when more or less is shown: {name, at}. */
     this.anchor = null;
     this.lifted = null;
@@ -59,13 +61,16 @@ class Stage {
   /** Takes a machine, the centres of its states, and its notes. */
   take(machine, positions, notes) {
     const places = new Map(positions.filter((one) => one.component === machine.name).map((one) => [one.state, one]));
+    const { level, shape } = this.look.value;
+    const isAutomatic = ![...places.values()].some(({ placed }) => placed);
+    // Until it is laid out, all stays as it is.
+    if (isAutomatic && !isLaidOut(machine, shape)) return;
     this.machine = machine;
     this.arrows = machine.arrows;
     this.lanes = lanes(machine.arrows);
-    this.view.isAutomatic = ![...places.values()].some(({ placed }) => placed);
-    if (this.view.isAutomatic) {
-      const { level, shape } = this.look.value;
-      Object.assign(this, arranged(machine, level, shape));
+    this.view.isAutomatic = isAutomatic;
+    if (isAutomatic) {
+      Object.assign(this, layoutOf(machine, level, shape));
       Object.assign(this, laidOut(notes, this.area, true));
       return;
     }
@@ -136,25 +141,30 @@ class Stage {
 
   /** What a machine that is opened is drawn with first, so that a large one is drawn once. */
   begin({ states }) {
-    const { view } = this;
-    const shape = view.height > 0 ? Math.round((view.width / view.height) * 10) / 10 : this.look.peek().shape;
-    if (states.length > FEW) this.look.value = { level: NAMES, shape };
+    if (states.length > FEW) this.look.value = { ...this.look.peek(), level: NAMES };
   }
 
   /** Shows the whole machine; an automatic drawing shows as much as can be read. */
   fit() {
-    const { view } = this;
+    const { view, machine } = this;
     if (view.isAutomatic && view.width > 0 && view.height > 0) {
-      const shape = Math.round((view.width / view.height) * 10) / 10;
-      const fits = (level) => level === NAMES || (this.machine.states.length <= FEW && view.scaleFor(laidOut(this.notes, arranged(this.machine, level, shape).area, true).area) >= 1);
+      // A line below the drawing does not change all places.
+      const [wanted, now] = [view.width / view.height, this.look.peek().shape];
+      const isNear = Math.max(wanted / now, now / wanted) < SIMILAR;
+      const shape = isNear ? now : Math.min(Math.max(Math.round(wanted * 10) / 10, 0.1), 50);
+      if (!isLaidOut(machine, shape)) {
+        arrange(machine, shape).then(() => this.fit(), () => {});
+        return this.show();
+      }
+      const fits = (level) => level === NAMES || (machine.states.length <= FEW && view.scaleFor(laidOut(this.notes, layoutOf(machine, level, shape).area, true).area) >= 1);
       const level = [ALL, ALL + 1, NAMES].find(fits);
       if (level !== this.look.value.level || shape !== this.look.value.shape) {
         [this.anchor, view.whole] = [null, true];
         this.look.value = { level, shape };
-        return;
+        return undefined;
       }
     }
-    this.show();
+    return this.show();
   }
 
   /** Shows all; of an automatic drawing of few states as much as can be read. */

@@ -43,8 +43,8 @@ const MACHINE: [&str; 4] = ["svg.machine", ".box > .body", ".arrow > .line", ".l
 
 /// Lays out generated machines with 5 to 200 states, for a range of their numbers, and lists the faults.
 const GENERATED: &str = r"
-return import('/vicode/canvas/rows.js').then(({ arranged, ALL, CONDITIONS, NAMES }) => import('/vicode/canvas/labels.js')
-  .then(({ labelWidth }) => {
+return import('/vicode/canvas/rows.js').then(({ arrange, layoutOf, ALL, CONDITIONS, NAMES }) => import('/vicode/canvas/labels.js')
+  .then(async ({ labelWidth }) => {
 let seed = 1; const random = (n) => { seed = (seed * 1103515245 + 12345) % 2147483648; return seed % n; };
 const WORDS = ['look', 'ball', 'goal', 'approach', 'kick', 'wait', 'turn', 'search', 'far', 'lost', 'reached', 'penalized', 'again'];
 const word = () => Array.from({ length: 1 + random(3) }, () => WORDS[random(WORDS.length)]).join('_');
@@ -68,8 +68,10 @@ const [from, until] = arguments;
 for (let number = from; number < until; number += 1) {
   const count = 5 + Math.round(195 * (number / 300) ** 2);
   const own = machine(count);
+  const shape = 0.8 + random(12) / 10;
+  await arrange(own, shape);
   for (const level of [ALL, CONDITIONS, NAMES]) {
-    const { boxes, courses, area } = arranged(own, level, 0.8 + random(12) / 10);
+    const { boxes, courses, area } = layoutOf(own, level, shape);
     const all = [...boxes.values()].map((box) => ({ name: box.name, ...rect(box.x, box.y, box.width, box.height) }));
     const labels = level === NAMES ? [] : own.arrows.filter(({ key }) => courses.get(key).owner === key).map((arrow) => ({
       name: arrow.name, ...rect(...courses.get(arrow.key).label, labelWidth(arrow), 16) }));
@@ -138,9 +140,16 @@ pub(crate) fn large(states: usize, transitions: usize) -> String {
     text + "}\n"
 }
 
-/// Returns the faults of a drawing on the page.
+/// Returns the faults of a drawing on the page. A drawing that the server has not laid out yet has three seconds until it has none.
 pub(crate) async fn faults(page: &Page, root: &str, boxes: &str, lines: &str, names: &str) -> Value {
-    page.run_with(FAULTS, vec![json!(root), json!(boxes), json!(lines), json!(names)]).await
+    let find = || page.run_with(FAULTS, vec![json!(root), json!(boxes), json!(lines), json!(names)]);
+    for _ in 0..20 {
+        if find().await == json!([]) {
+            break;
+        }
+        tokio::time::sleep(std::time::Duration::from_millis(150)).await;
+    }
+    find().await
 }
 
 #[tokio::test]
