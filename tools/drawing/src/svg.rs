@@ -10,7 +10,7 @@ use bica_wire::model::{Component, Description, LinkKind};
 use crate::layout::{Kind, Point, Rectangle, Tree, links, path};
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 const GREY: &str = "#7d8590";
 const LEGEND_HEIGHT: f64 = 44.0;

@@ -13,8 +13,7 @@ const BESIDE: f64 = 12.0;
 const EMPTY: f64 = 34.0;
 /// Room at the left for the mark of the initial state, px.
 const INITIAL: f64 = 44.0;
-/// Largest distance of two ends at a side of a state, and the room that an arrow head needs, px.
-const PORT: f64 = 18.0;
+/// Room that an arrow head needs, px.
 const TIP: f64 = 7.0;
 /// Largest distance of two lines between which no name stands, px.
 const NEAR: f64 = 40.0;
@@ -22,20 +21,20 @@ const NEAR: f64 = 40.0;
 const OUTSIDE: f64 = 90.0;
 
 /// The way of an arrow through the rows.
-struct Way {
+pub(super) struct Way {
     /// The upper state; `None` for an arrow from all states.
-    upper: Option<usize>,
-    lower: usize,
+    pub(super) upper: Option<usize>,
+    pub(super) lower: usize,
     /// The first corridor through which it goes; corridor n is above row n.
-    first: usize,
+    pub(super) first: usize,
     /// Whether it leads from the upper to the lower state.
-    is_down: bool,
+    pub(super) is_down: bool,
     /// Whether its upper end is at the upper side of a state, and its lower end at the lower side: within a row.
-    sides: (bool, bool),
-    bundle: usize,
+    pub(super) sides: (bool, bool),
+    pub(super) bundle: usize,
     /// x of the upper and of the lower end.
-    ends: (f64, f64),
-    xs: Vec<f64>,
+    pub(super) ends: (f64, f64),
+    pub(super) xs: Vec<f64>,
 }
 
 /// The lane that has the name of a bundle.
@@ -52,10 +51,10 @@ pub(super) struct Draft<'a> {
     arrows: &'a [Arrow],
     look: &'a Look,
     rows: Vec<Vec<usize>>,
-    row_of: Vec<usize>,
-    boxes: Vec<Rectangle>,
+    pub(super) row_of: Vec<usize>,
+    pub(super) boxes: Vec<Rectangle>,
     width: f64,
-    ways: Vec<Way>,
+    pub(super) ways: Vec<Way>,
     /// Arrows of each bundle.
     bundles: Vec<Vec<usize>>,
 }
@@ -103,8 +102,9 @@ impl<'a> Draft<'a> {
     }
 
     pub(super) fn laid_out(mut self) -> Machine {
-        self.place_ends();
+        let ports = self.place_ends();
         self.pass_rows();
+        self.separate(&ports);
         let (spans, named) = self.lanes();
         let tops = self.heights(&spans);
         let Look { above, lane, .. } = *self.look;
@@ -119,43 +119,6 @@ impl<'a> Draft<'a> {
         let area = Rectangle { x: low + width / 2.0, y: height / 2.0, width, height };
         let courses = (0..self.ways.len()).map(|index| self.course(index, &named, &y)).collect();
         Machine { courses, area, boxes: self.boxes }
-    }
-
-    /// Gives each end a place at its side of the state, in the order of the other ends. Ends of a bundle at one state are one.
-    fn place_ends(&mut self) {
-        // By state and whether it is the upper side: trunk, own arrow, x of the other end, and the ends of ways.
-        let mut sides: BTreeMap<(usize, bool), Vec<End>> = BTreeMap::new();
-        for (index, way) in self.ways.iter().enumerate() {
-            let at = |state: usize| self.boxes[state].x;
-            let beside = |state: usize| at(state) + self.boxes[state].width;
-            let mut add = |state, is_top, other, is_lower: bool| {
-                let ends = sides.entry((state, is_top)).or_default();
-                let key = (way.bundle, (is_lower != way.is_down).then_some(index));
-                match ends.iter_mut().find(|end| end.key == key) {
-                    Some(end) => end.all.push((index, is_lower)),
-                    None => ends.push(End { key, other, all: vec![(index, is_lower)] }),
-                }
-            };
-            match way.upper {
-                None => add(way.lower, true, beside(way.lower), true),
-                Some(upper) => {
-                    let other = if upper == way.lower { beside(upper) } else { at(way.lower) };
-                    add(upper, way.sides.0, other, false);
-                    add(way.lower, !way.sides.1, at(upper), true);
-                }
-            }
-        }
-        for ((state, _), mut ends) in sides {
-            ends.sort_by(|a, b| a.other.total_cmp(&b.other));
-            let distance = PORT.min((self.boxes[state].width - 16.0) / (ends.len().max(2) - 1) as f64);
-            for (at, end) in ends.iter().enumerate() {
-                let x = self.boxes[state].x + (at as f64 - (ends.len() - 1) as f64 / 2.0) * distance;
-                for (way, is_lower) in &end.all {
-                    let ends = &mut self.ways[*way].ends;
-                    *if *is_lower { &mut ends.1 } else { &mut ends.0 } = x;
-                }
-            }
-        }
     }
 
     /// Finds the ways through the rows.
@@ -277,16 +240,6 @@ impl<'a> Draft<'a> {
         let leader = leader.map_or_else(Vec::new, |(from, to)| vec![(from, label.1), (to, label.1)]);
         Course { points, leader, label, owner }
     }
-}
-
-/// A place at a side of a state, where ends of ways meet.
-struct End {
-    /// Bundle, and the arrow if it begins here.
-    key: (usize, Option<usize>),
-    /// x of the other end.
-    other: f64,
-    /// Ways that end here, each with whether it is its lower end.
-    all: Vec<(usize, bool)>,
 }
 
 impl Way {

@@ -5,7 +5,10 @@ mod kind;
 mod lanes;
 mod machine;
 mod parts;
+mod ports;
 mod rows;
+#[cfg(test)]
+mod tests;
 mod tree;
 
 use serde::Serialize;

@@ -6,10 +6,10 @@ use super::{laid_out, svg};
 use crate::layout::{Kind, Rectangle};
 
 /// Linear congruential generator (Knuth's MMIX).
-struct Rng(u64);
+pub(crate) struct Rng(pub(crate) u64);
 
 impl Rng {
-    fn below(&mut self, end: usize) -> usize {
+    pub(crate) fn below(&mut self, end: usize) -> usize {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as usize % end
     }

@@ -17,7 +17,9 @@ const BESIDE: f32 = 4.0;
 #[must_use]
 pub fn automatic(component: &Component, layout: &Layout) -> Vec<Position> {
     let machine = component.machine();
-    let boxes = arranged(component, &machine, &arrows(&machine)).boxes;
+    let arrows = arrows(&machine);
+    let names: Vec<String> = arrows.iter().map(|edge| label(edge)).collect();
+    let boxes = arranged(component, &machine, &arrows, names.iter().map(String::as_str)).boxes;
     let placed = boxes.iter().map(|one| Position { x: one.x.round() as i32, y: one.y.round() as i32 });
     let names = component.states.iter().map(|state| &*state.function.name.text);
     names.zip(placed).map(|(name, at)| layout.get(&component.key, name).unwrap_or(at)).collect()
@@ -35,21 +37,24 @@ pub(super) fn arrows<'m, 'c>(machine: &'m Machine<&'c Function>) -> Vec<&'m Edge
     arrows
 }
 
-/// Lays a machine out, with the sizes of this drawing.
-pub(super) fn arranged(component: &Component, machine: &Machine<&Function>, arrows: &[&Edge<&Function>]) -> Drawn {
+/// Lays a machine out, with the sizes of this drawing. `names` are the texts at the arrows.
+pub(super) fn arranged<'n>(
+    component: &Component,
+    machine: &Machine<&Function>,
+    arrows: &[&Edge<&Function>],
+    names: impl Iterator<Item = &'n str>,
+) -> Drawn {
     let sizes = component.states.iter().zip(&machine.states).map(|(state, parts)| {
         let lines =
             hooks_of(component, &state.function.name.text).len() + links(None, parts.functions().copied()).len();
         (f64::from(WIDTH), f64::from(height(lines)))
     });
-    let arrows: Vec<Arrow> = arrows
-        .iter()
-        .map(|edge| Arrow {
-            name: edge.name(),
-            from: (!edge.any).then_some(edge.from),
-            to: edge.to,
-            width: f64::from(label(edge).chars().count() as f32 * LETTER.0 + 4.0 * BESIDE),
-        })
-        .collect();
+    let arrow = |(edge, name): (&&Edge<&Function>, &str)| Arrow {
+        name: name.to_owned(),
+        from: (!edge.any).then_some(edge.from),
+        to: edge.to,
+        width: f64::from(name.chars().count() as f32 * LETTER.0 + 4.0 * BESIDE),
+    };
+    let arrows: Vec<Arrow> = arrows.iter().zip(names).map(arrow).collect();
     Drawn::new(&sizes.collect::<Vec<_>>(), machine.initial, &arrows, SHAPE, &LOOKS[0])
 }

@@ -76,13 +76,13 @@ impl Diagram {
     /// Takes places and lines of the automatic layout.
     fn arrange(&mut self, component: &Component, machine: &Machine<&Function>, marks: &Marks) {
         let arrows = arrows(machine);
-        let drawn = arranged(component, machine, &arrows);
+        let labels: Vec<Label> = arrows.iter().map(|edge| self.label(edge, marks)).collect();
+        let drawn = arranged(component, machine, &arrows, labels.iter().map(|label| &*label.text));
         let points = |line: &[(f64, f64)]| line.iter().map(|(x, y)| (*x as f32, *y as f32)).collect();
         for (node, place) in self.nodes.iter_mut().zip(&drawn.boxes) {
             node.centre = (place.x as f32, place.y as f32);
         }
-        for (index, (edge, course)) in arrows.iter().zip(drawn.courses).enumerate() {
-            let label = self.label(edge, marks);
+        for (index, (label, course)) in labels.into_iter().zip(drawn.courses).enumerate() {
             self.edges.push(Edge {
                 mark: label.mark,
                 points: points(&course.points),
