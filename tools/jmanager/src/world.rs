@@ -95,7 +95,7 @@ fn play(rules: &Rules, run: &WorldRun) -> Result<(), Failure> {
         Ok(())
     };
     let address = run.address();
-    let serve = ServeOptions { address: &address, anywhere: false, started: &started };
+    let serve = ServeOptions { address: &address, anywhere: false, started: &started, pause: &|_, _| Ok(()) };
     // Images are not stored: a replay generates the same world from its rules.
     let record = RecordOptions {
         path: run.recording(),

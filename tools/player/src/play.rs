@@ -9,6 +9,7 @@ use crate::game::{
 };
 use bica::Setting;
 use bica_app::{Console, Failure, Outcome, RecordArgs, in_force, print_in_force};
+use bica_link::LinkRequests;
 use bica_tuning::Layers;
 use bica_wire::model::Description;
 use clap::ValueEnum;
@@ -105,7 +106,10 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
                 Ok(())
             };
             let anywhere = args.link.listen_anywhere;
-            let serve = address.as_ref().map(|address| ServeOptions { address, anywhere, started: &started });
+            let pause =
+                |can_pause, requests: &mut LinkRequests| args.link.pause(&Description::of(&GRAPH), can_pause, requests);
+            let serve = |address| ServeOptions { address, anywhere, started: &started, pause: &pause };
+            let serve = address.as_ref().map(serve);
             play_one(&rules, console, pictures, args.film.as_deref(), record, serve, &layers)
         }
         Some(games) => {

@@ -14,6 +14,7 @@ use serde::Serialize;
 use serde_json::json;
 
 mod args;
+mod breakpoints;
 mod extras;
 mod serve;
 

@@ -1,10 +1,13 @@
 //! Arguments of programs that serve a robot.
 
-use bica_link::Address;
+use std::path::PathBuf;
+
+use bica_link::{Address, LinkRequests};
 use bica_wire::model::Description;
 use clap::Args;
 
 use super::args::address;
+use super::breakpoints;
 use crate::console::{Console, Failure};
 
 /// Arguments that say how a robot is served to monitors.
@@ -20,6 +23,12 @@ pub struct ServeArgs {
     /// With --serve, run as fast as possible instead of in real time
     #[arg(long, requires = "serve", conflicts_with = "realtime")]
     pub unpaced: bool,
+    /// Begin with the world paused, until a monitor lets it go on
+    #[arg(long, requires = "serve")]
+    pub paused: bool,
+    /// Pause the world at the breakpoints of a file: on each line a state or a transition, as `Player.kick`
+    #[arg(long, value_name = "FILE", requires = "serve")]
+    pub breakpoints: Option<PathBuf>,
     /// Make the robot a ROS 2 node, in real time
     #[cfg(feature = "ros")]
     #[arg(long)]
@@ -53,6 +62,26 @@ impl ServeArgs {
     #[must_use]
     pub fn is_paced(&self) -> bool {
         self.address().is_some() && !self.unpaced
+    }
+
+    /// Pauses the world, and sets the breakpoints, as the arguments request. `can_pause` says whether the world can be paused.
+    ///
+    /// # Errors
+    /// If the world cannot be paused, the file cannot be read, or the tree has no such state and no such transition.
+    pub fn pause(&self, tree: &Description, can_pause: bool, requests: &mut LinkRequests) -> Result<(), Failure> {
+        let given = [("--paused", self.paused), ("--breakpoints", self.breakpoints.is_some())];
+        let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given) else { return Ok(()) };
+        if !can_pause {
+            let help = format!("leave {option} out, or choose a simulated world");
+            return Err(Failure::new(format!("{option} pauses the world, and this one cannot be paused"), help));
+        }
+        if let Some(file) = &self.breakpoints {
+            requests.break_at(breakpoints::read(file, tree)?);
+        }
+        if self.paused {
+            requests.pause();
+        }
+        Ok(())
     }
 
     /// Prints where a run of a robot with this tree is served, and starts the ROS node if that is requested. `bound` is

@@ -121,8 +121,9 @@ fn serve<R: Recordable>(
     let offers = if can_pause { Offers::PAUSE } else { Offers::default() };
     let options =
         ServerOptions { anywhere: args.link.listen_anywhere, realtime, offers, actions, ..ServerOptions::default() };
-    let (server, requests, observer) = LinkServer::start_in_world::<R>(&address, options, world)?;
+    let (server, mut requests, observer) = LinkServer::start_in_world::<R>(&address, options, world)?;
     let tree = Description::of(const { &R::GRAPH }).with_actions(actions);
+    args.link.pause(&tree, can_pause, &mut requests)?;
     let node = args.link.started(console, &tree, &address, server.address())?;
     Ok((Some((server, node)), Some(requests), Some(observer)))
 }

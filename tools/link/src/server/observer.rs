@@ -4,10 +4,11 @@ use std::marker::PhantomData;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 
+use bica::graph::Graph;
 use bica::runner::{Cycle, Observer, Overrun, Robot, World};
 use bica::{ComponentId, Instant, JobEnd, Probe, Tree};
 use bica_wire::Recordable;
-use bica_wire::message::{CycleInfo, MAX_VALUES, ParamValues, WorldChange};
+use bica_wire::message::{CycleInfo, LogSource, MAX_VALUES, ParamValues, Stop, StopAt, WorldChange};
 use bica_wire::read;
 
 use super::conditions::ConditionTable;
@@ -22,6 +23,9 @@ use super::requests::lock;
 use super::scene::EncodedScene;
 use super::view::View;
 use crate::cost_meter::CostMeter;
+
+/// Level of the line of the log about a breakpoint.
+const WARNING: u8 = 3;
 
 /// Observer in the loop: sends answers, snapshots and outputs. It never waits.
 pub struct LinkObserver<R: Robot> {
@@ -271,10 +275,15 @@ impl Control {
         };
         let taken = self.stops.taken(time_us, conditions);
         let (reached, pauses) = self.stops.reached(time_us, conditions, may_pause);
+        let own = self.stops.own_reached(conditions);
         for (connection, message) in taken.into_iter().chain(reached) {
             self.tell(connection, message);
         }
-        if pauses {
+        for stop in &own {
+            let text = paused_at(tree.graph(), *stop).into();
+            self.tell_all(&Message::Log { time_us, level: WARNING, source: LogSource::World, text });
+        }
+        if pauses || !own.is_empty() {
             self.pace.change(WorldChange::Pause);
             self.announce_world();
         }
@@ -320,4 +329,17 @@ fn schemas(tree: &impl View) -> Arc<[OutputSchema]> {
     });
     let schema = |(component, info, schema)| OutputSchema { component: component as u16, info: info as u16, schema };
     outputs.map(schema).collect()
+}
+
+/// Says where the world pauses.
+fn paused_at(graph: &Graph, stop: Stop) -> String {
+    let node = &graph.nodes[usize::from(stop.component)];
+    match stop.at {
+        StopAt::State(state) => format!("breakpoint: {} is in `{}`", node.name, node.states[usize::from(state)].name),
+        StopAt::Transition(taken) => {
+            let taken = &node.transitions[usize::from(taken)];
+            let [from, to] = [taken.from, taken.to].map(|state| node.states[state].name);
+            format!("breakpoint: {} takes `{}` from `{from}` to `{to}`", node.name, taken.name)
+        }
+    }
 }

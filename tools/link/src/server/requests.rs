@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use bica::runner::{Request, Requests};
 use bica::{Instant, Refusal};
-use bica_wire::message::{Change, RefusalCode, WorldChange};
+use bica_wire::message::{Change, RefusalCode, Stop, WorldChange};
 
 use super::control::{Applied, Control};
 use super::hub::{Command, Inbound};
@@ -56,6 +56,12 @@ impl LinkRequests {
         control.pace.change(WorldChange::Pause);
         control.announce_world();
         control.hand_over();
+    }
+
+    /// Sets breakpoints of the program: the world pauses after a cycle that reaches one, whoever owns the lease, and a line of the
+    /// log says which. Only a world that can be paused reaches them.
+    pub fn break_at(&mut self, stops: Vec<Stop>) {
+        lock(&self.control).stops.set_own(stops);
     }
 
     /// Returns the next request and handles all messages before it.

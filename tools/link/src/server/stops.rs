@@ -15,6 +15,8 @@ type Activity = (bool, Option<u16>);
 pub(super) struct Stops {
     /// Each stop with its connection.
     set: Vec<(u64, Stop)>,
+    /// Breakpoints of the program.
+    own: Vec<Stop>,
     /// Connections that watch transitions.
     taken: Vec<u64>,
     /// States of all components after the last cycle and after the one before.
@@ -34,6 +36,16 @@ impl Stops {
             _ => {}
         }
         true
+    }
+
+    /// Sets the breakpoints of the program.
+    pub(super) fn set_own(&mut self, stops: Vec<Stop>) {
+        self.own = stops;
+    }
+
+    /// Returns the reached breakpoints of the program.
+    pub(super) fn own_reached(&self, conditions: &ConditionTable) -> Vec<Stop> {
+        self.own.iter().copied().filter(|stop| self.is_reached(*stop, conditions)).collect()
     }
 
     pub(super) fn watch_taken(&mut self, connection: u64, is_watched: bool) {

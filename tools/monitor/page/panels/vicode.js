@@ -105,8 +105,10 @@ function Canvas({ machine: own, isStale, search, visible }) {
     return () => ends.forEach((end) => end());
   }, []);
   useLayoutEffect(() => { if (isReady) stage.fit(); }, [shown, isReady]);
-  // The drawing of both versions comes after its legend, with which the panel gets another size, and so may one that was laid out.
-  useLayoutEffect(() => { if (view.whole) stage.fit(); }, [stage.notes.length, mode.value === 'diff' && own.states.length, view.isAutomatic && own]);
+  // The drawing of both versions comes after its legend, with which the panel gets another size.
+  useLayoutEffect(() => { if (view.whole) stage.fit(); }, [stage.notes.length, mode.value === 'diff' && own.states.length]);
+  // So may a machine that was laid out; one whose places were just fixed by a drag stays where it is.
+  useLayoutEffect(() => { if (view.whole && view.isAutomatic) stage.fit(); }, [view.isAutomatic && own]);
   useLayoutEffect(() => stage.settle(), [look]);
   useLayoutEffect(() => {
     stage.collect(layer.current);

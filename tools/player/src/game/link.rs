@@ -21,6 +21,8 @@ pub struct ServeOptions<'a> {
     pub anywhere: bool,
     /// Called once the server listens, with the address; its port is the one that the operating system chose if 0 was given.
     pub started: &'a dyn Fn(&str) -> Result<(), Failure>,
+    /// Pauses the world and sets breakpoints, if the arguments request it; told whether the world can be paused.
+    pub pause: &'a dyn Fn(bool, &mut LinkRequests) -> Result<(), Failure>,
 }
 
 /// Server of a game, if it is served.
@@ -42,7 +44,7 @@ impl GameLink {
         can_pause: bool,
         firmware: &mut FirmwareCheck,
     ) -> Result<(Self, LinkQueue, LinkView), Failure> {
-        let Some(ServeOptions { address, anywhere, started }) = options else {
+        let Some(ServeOptions { address, anywhere, started, pause }) = options else {
             return Ok((Self(None), None, None));
         };
         let defaults = ServerOptions::default();
@@ -51,7 +53,8 @@ impl GameLink {
         let watch_only = firmware.is_watch_only()?;
         let offers = if can_pause { Offers::PAUSE } else { Offers::default() };
         let options = ServerOptions { anywhere, realtime: rules.realtime, watch_only, offers, actions, ..defaults };
-        let (server, requests, observer) = LinkServer::start_in_world::<Forward>(address, options, world)?;
+        let (server, mut requests, observer) = LinkServer::start_in_world::<Forward>(address, options, world)?;
+        pause(can_pause && !watch_only, &mut requests)?;
         started(server.address())?;
         let image = world.shared_image();
         let observer = observer.sharing_images(move |pixels| image.owner_of(pixels));

@@ -1,7 +1,10 @@
 //! `player play --serve` and `player link`, as processes.
 
 use std::io::Read;
+use std::time::Duration;
 
+use bica_link::{Client, ClientOptions, Event};
+use bica_wire::message::WorldChange;
 use serde_json::Value;
 
 use crate::process::{Served, player, run};
@@ -57,6 +60,41 @@ fn a_served_world_is_shown() {
     let image = lines.iter().find(|line| line["schema"] == "bica/link-image/2").expect("an image");
     let pixels = std::fs::read(image["path"].as_str().expect("a path")).expect("a file");
     assert_eq!(pixels.len(), 160 * 120 * 2);
+}
+
+#[test]
+fn a_game_begins_paused_and_pauses_at_breakpoints() {
+    let folder = crate::process::Folder::new("link-breakpoints");
+    let file = folder.file("stops.txt");
+    std::fs::write(&file, "# The first approach\nPlayer.ball_seen # a transition\n").expect("a file");
+    let mut game = small_game(&["--paused", "--breakpoints", &file, "--seconds", "60"]);
+    let (_, stepped, errors) = monitor(&game, &["step", "1"]);
+    assert_eq!(stepped[0]["cycle"].as_u64(), Some(1), "no cycle ran before: {errors}");
+    let mut client =
+        Client::connect(&game.address.parse().expect("an address"), ClientOptions::default()).expect("a link");
+    client.acquire(false).expect("the lease");
+    client.change_world(WorldChange::Resume).expect("it goes on");
+    client.release().expect("the lease is given back");
+    let expected = "breakpoint: Player takes `ball_seen` from `look_for_ball` to `approach`";
+    let mut next = || client.poll(Duration::from_mins(1)).expect("a link").expect("the breakpoint is reached");
+    while !matches!(next(), Event::Log { text, .. } if text == expected) {}
+    let cycle = || monitor(&game, &["step", "1"]).1[0]["cycle"].as_u64().expect("a number");
+    assert_eq!(cycle() + 1, cycle(), "the world is paused");
+    game.child.kill().expect("a process");
+    game.child.wait().expect("it ends");
+    for (text, error) in [
+        ("Player.kik", "stops.txt:1: `Player` has no state and no transition `kik`"),
+        ("\nPlayr.kick", "stops.txt:2: there is no component `Playr`"),
+        ("Motors.on", "it is no state machine"),
+        ("kick", "`kick` is no breakpoint"),
+        ("# none", "has no breakpoint"),
+    ] {
+        std::fs::write(&file, text).expect("a file");
+        let ran = run(&["play", "--serve", "127.0.0.1:0", "--breakpoints", &file]);
+        assert!(ran.code == Some(2) && ran.stderr.contains(error), "{text}: {}", ran.stderr);
+    }
+    let ran = run(&["play", "--paused"]);
+    assert!(ran.code == Some(2) && ran.stderr.contains("--serve"), "{}", ran.stderr);
 }
 
 #[test]
