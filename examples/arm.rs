@@ -278,7 +278,7 @@ fn sort(waiting: Waiting, slips: u32) {
     for ms in (0..15_000).step_by(20) {
         let was_closed = arm.get::<Hardware>().closed;
         arm.tick(Instant::from_millis(ms));
-        let state = arm.state_name::<Sorter>();
+        let state = arm.of::<Sorter>().state_name();
         if last.replace(state) != Some(state) {
             println!("{ms:6} ms {}", state.unwrap_or("latent"));
         }

@@ -95,7 +95,7 @@ fn pick(slips: u32) -> (Option<&'static str>, u32) {
     for ms in (0..10_000).step_by(20) {
         arm.tick(Instant::from_millis(ms));
     }
-    (arm.state_name::<Picker>(), arm.get::<Reach>().attempts)
+    (arm.of::<Picker>().state_name(), arm.get::<Reach>().attempts)
 }
 
 fn main() {

@@ -73,7 +73,8 @@ fn main() {
         robot.tick(Instant::from_millis(ms));
         if ms % 500 == 250 {
             let active = robot.active().map(|id| Robot::GRAPH.nodes[id.index()].name).collect::<Vec<_>>();
-            let age = robot.get::<Striker>().goal_age.map_or("never".into(), |age| format!("{} ms ago", age.as_millis()));
+            let age =
+                robot.get::<Striker>().goal_age.map_or("never".into(), |age| format!("{} ms ago", age.as_millis()));
             let frames = robot.get::<Camera>().frames;
             println!("{ms:4} ms: {frames:2} frames; goal seen {age}; active: {}", active.join(", "));
         }

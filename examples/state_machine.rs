@@ -87,11 +87,11 @@ activation_tree! {
 fn main() {
     let (mut robot, mut metres) = (Robot::new(), 0.5);
     for ms in (0..6000).step_by(20) {
-        metres -= if robot.is_active::<Legs>() { 0.02 * robot.get::<Legs>().speed } else { 0.0 };
+        metres -= if robot.of::<Legs>().is_active() { 0.02 * robot.get::<Legs>().speed } else { 0.0 };
         robot.get_mut::<Ball>().distance = (500..4000).contains(&ms).then_some(metres);
-        let before = robot.state_name::<Player>();
+        let before = robot.of::<Player>().state_name();
         robot.tick(Instant::from_millis(ms));
-        if let Some(state) = robot.state_name::<Player>().filter(|state| Some(*state) != before) {
+        if let Some(state) = robot.of::<Player>().state_name().filter(|state| Some(*state) != before) {
             println!("{ms:4} ms: {state} with the ball at {metres:.2} m");
         }
     }

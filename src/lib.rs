@@ -63,9 +63,9 @@
 #[doc(hidden)]
 pub use bica_core::__private;
 pub use bica_core::{
-    Age, Axis, Blob, Component, ComponentId, Duration, Fills, Format, Found, Graph, Has, Hint, Hold, Instant, JobEnd,
-    Key, ParamEnum, Params, ParamsOf, Place, Probe, Rate, Refusal, Setting, Status, Stopwatch, Time, Tree, Tuned,
-    Value, Work, action, graph, info, modulation, params, probe, rate, refusal, stopwatch, visual, work,
+    Age, Axis, Blob, Component, ComponentId, Duration, Fills, Format, Found, Graph, Handle, Has, Hint, Hold, Instant,
+    JobEnd, Key, ParamEnum, Params, ParamsOf, Place, Probe, Rate, Refusal, Setting, Status, Stopwatch, Time, Tree,
+    Tuned, Value, Work, action, graph, info, modulation, params, probe, rate, refusal, stopwatch, visual, work,
 };
 #[doc(hidden)]
 pub use bica_core::{check, render};

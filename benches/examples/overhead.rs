@@ -55,7 +55,7 @@ fn counted_calls() {
 
 fn main() {
     let (recording, mut robot) = Recording::of_game::<Forward>(Frame::Small, WARM, CYCLES);
-    robot.hold::<Localization>(Hold::Tree);
+    robot.of_mut::<Localization>().hold(Hold::Tree);
     counted_calls();
     println!("{EMPTY} {}", CYCLES - SETTLING);
     for (cycle, sensors) in recording.sensors().enumerate() {

@@ -27,9 +27,9 @@ impl IsolatedComponent {
     pub fn new(component: ComponentId, frame: Frame) -> Self {
         let (recording, mut robot) = Recording::of_game::<Forward>(frame, 55, 5);
         for other in (0..Forward::COUNT).map(ComponentId::new).filter(|other| *other != component) {
-            robot.hold_at(other, Hold::Latent).expect("a component of the tree");
+            robot.at_mut(other).expect("a component of the tree").hold(Hold::Latent);
         }
-        robot.hold_at(component, Hold::Active).expect("a component of the tree");
+        robot.at_mut(component).expect("a component of the tree").hold(Hold::Active);
         let node = &Forward::GRAPH.nodes[component.index()];
         let hz = node.hz.unwrap_or(Forward::GRAPH.cycle_hz);
         let input = Forward::id::<CameraInput>().index();

@@ -46,7 +46,7 @@ impl Recording {
     pub fn of_game<T: ForwardTree>(frame: Frame, before: usize, cycles: usize) -> (Self, Box<T>) {
         let start = Start { robot: Pose2::new(0.6, 0.2, 0.0), ball: Vec2::new(1.8, 0.1) };
         let mut game = new_game::<T>(&Setup { seed: 9, frame, robots: 2, start: Some(start), ..Setup::default() });
-        game.robot_mut().hold::<Localization>(Hold::Active);
+        game.robot_mut().of_mut::<Localization>().hold(Hold::Active);
         for _ in 0..before {
             game.cycle().expect("the image fits");
         }

@@ -101,7 +101,7 @@ pub use probe::Probe;
 pub use rate::Rate;
 pub use role::{Fills, Role};
 pub use stopwatch::Stopwatch;
-pub use tree::{Has, LoneMachine, ParamsOf, Status, Tree};
+pub use tree::{Handle, Has, LoneMachine, ParamsOf, Status, Tree};
 pub use work::{JobEnd, Work};
 
 #[cfg(doctest)]

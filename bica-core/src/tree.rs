@@ -4,7 +4,6 @@
 
 use embassy_time::Instant;
 
-use crate::component::Component;
 use crate::graph::{self, Graph};
 use crate::hold::Hold;
 use crate::id::ComponentId;
@@ -22,6 +21,7 @@ pub(crate) mod cycle;
 pub(crate) mod cycle_state;
 pub(crate) mod deferred;
 pub(crate) mod engine;
+mod handle;
 mod layout;
 mod lone_machine;
 mod operate;
@@ -32,6 +32,7 @@ pub(crate) mod tuning;
 mod visit;
 pub(crate) mod written;
 
+pub use handle::Handle;
 pub use layout::{Has, Layout, Member, MemberOf, ParamsOf};
 pub use lone_machine::LoneMachine;
 
@@ -43,13 +44,14 @@ pub use lone_machine::LoneMachine;
 ///
 /// # By type or by key
 /// Functions with a type parameter serve code that knows the component. Those with a [`Key`] serve tools and tests:
-/// the key is the component's name, or the identifier that [`Tree::id`] and [`Tree::find`] return. Their names end in
-/// `_at` if there is one by type, too. Parameters, outputs and modulations have a [`Key`]: a name, or an index.
+/// the key is the component's name, or the identifier that [`Tree::id`] and [`Tree::find`] return. [`Tree::of`] and [`Tree::at`] give
+/// a [`Handle`] of a component by its type or its key, with the same functions. Parameters, outputs and modulations have a [`Key`]: a
+/// name, or an index.
 ///
 /// # Panics in a step
 /// If a step, a hook, a transition or a probe panics and the caller catches the unwinding, the tree stays usable:
 ///
-/// - [`is_active`](Tree::is_active) and [`state`](Tree::state) show the tree as it was when the tick unwound.
+/// - [`is_active`](Handle::is_active) and [`state`](Tree::state) show the tree as it was when the tick unwound.
 /// - The next tick begins with stopping every component that was active then, activators first: their `#[stop]` hooks are
 ///   called. After that the tree starts as if no component had ever been active: every component that is visited is
 ///   started, and every state machine begins in its initial state, also one that resumes.
@@ -133,12 +135,36 @@ pub trait Tree: Layout {
         Self::GRAPH.find(component).ok_or(Refusal { entry: 0, component: "", name: "", reason })
     }
 
-    /// Holds component `C` active or latent from the next cycle on, or releases it.
-    fn hold<C: 'static>(&mut self, hold: Hold)
+    /// Returns component `C`, to read what the framework knows of it.
+    fn of<C: 'static>(&self) -> Handle<&Self>
     where
         Self: Has<C>,
     {
-        self.engine_mut().hold(Self::id::<C>(), hold);
+        Handle::new(self, Self::id::<C>())
+    }
+
+    /// Returns component `C`, to hold it or set its rate, too.
+    fn of_mut<C: 'static>(&mut self) -> Handle<&mut Self>
+    where
+        Self: Has<C>,
+    {
+        Handle::new(self, Self::id::<C>())
+    }
+
+    /// As [`of`](Tree::of), by key.
+    ///
+    /// # Errors
+    /// If the tree has no such component.
+    fn at(&self, component: impl Key) -> Result<Handle<&Self>, Refusal> {
+        Self::find(component).map(|component| Handle::new(self, component))
+    }
+
+    /// As [`of_mut`](Tree::of_mut), by key.
+    ///
+    /// # Errors
+    /// If the tree has no such component.
+    fn at_mut(&mut self, component: impl Key) -> Result<Handle<&mut Self>, Refusal> {
+        Self::find(component).map(|component| Handle::new(self, component))
     }
 
     /// Reads all parameters of component `C`: a [`Tuned<P>`](crate::Tuned), or pairs of these if its functions take several.
@@ -158,12 +184,6 @@ pub trait Tree: Layout {
         Self: Has<C>,
     {
         tuning::set_all::<Self, C>(self, values)
-    }
-
-    /// Reads a parameter; `None` if there is none. An index counts through the component's
-    /// [groups](crate::graph::Node::params).
-    fn get_param(&self, component: impl Key, parameter: impl Key) -> Option<Value> {
-        tuning::get(self, component, parameter)
     }
 
     /// Returns an entry of a batch: a value for a parameter.
@@ -208,32 +228,9 @@ pub trait Tree: Layout {
         operate::find::<Self>(component, modulation)
     }
 
-    /// As [`hold`](Tree::hold), by key.
-    ///
-    /// # Errors
-    /// If the tree has no such component.
-    fn hold_at(&mut self, component: impl Key, hold: Hold) -> Result<(), Refusal> {
-        let component = Self::find(component)?;
-        self.engine_mut().hold(component, hold);
-        Ok(())
-    }
-
-    /// Returns whether component `C` was visited in the last cycle.
-    fn is_active<C: 'static>(&self) -> bool
-    where
-        Self: Has<C>,
-    {
-        self.is_active_at(Self::id::<C>())
-    }
-
-    /// As [`is_active`](Tree::is_active), by key; `false` for a component that the tree does not list.
-    fn is_active_at(&self, component: impl Key) -> bool {
-        Self::GRAPH.find(component).is_some_and(|component| self.engine().is_active(component))
-    }
-
     /// Returns the components that were visited in the last cycle, in the order of the tree's list.
     fn active(&self) -> impl Iterator<Item = ComponentId> {
-        (0..Self::COUNT).map(ComponentId::new).filter(|&component| self.is_active_at(component))
+        (0..Self::COUNT).map(ComponentId::new).filter(|&component| self.engine().is_active(component))
     }
 
     /// Returns the state of a state machine, an index in [`Node::states`](crate::graph::Node::states); for a latent one
@@ -244,45 +241,17 @@ pub trait Tree: Layout {
         self.status(component)?.state
     }
 
-    /// Returns the name of the state of `C`, the name of the function with `#[state]`; for a latent state machine the
-    /// state in which it became latent.
-    ///
-    /// `None` for a component that has no states or was never active.
-    fn state_name<C: Component>(&self) -> Option<&'static str>
-    where
-        Self: Has<C>,
-    {
-        self.state_name_at(Self::id::<C>())
-    }
-
-    /// As [`state_name`](Tree::state_name), by key; `None` also for a component that the tree does not list.
-    fn state_name_at(&self, component: impl Key) -> Option<&'static str> {
-        let component = Self::GRAPH.find(component)?;
-        let state = self.state(component)?;
-        Self::GRAPH.nodes.get(component.index())?.states.get(state).map(|state| state.name)
-    }
-
     /// State of a component between two cycles; `None` for one that the tree does not list.
     fn status(&self, component: impl Key) -> Option<Status> {
         let component = Self::GRAPH.find(component)?;
         let state = Self::component_state(self.engine().store.slots(), component.index())?;
         Some(Status {
-            active: self.is_active_at(component),
+            active: self.engine().is_active(component),
             held: state.activation().held(),
             state: state.state(),
             since: state.since(),
             hz: Self::hz(self, component.index()),
         })
-    }
-
-    /// Sets the rate of a component by key, as [`Rate::set`] does; `None` is the declared rate.
-    ///
-    /// # Errors
-    /// If the tree has no such component.
-    fn set_rate_at(&mut self, component: impl Key, hz: Option<f32>) -> Result<(), Refusal> {
-        let component = Self::find(component)?;
-        Self::set_hz(self, component.index(), hz);
-        Ok(())
     }
 }
 

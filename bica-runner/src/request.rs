@@ -117,10 +117,10 @@ impl<'a> Request<'a> {
     /// nothing changes.
     pub fn apply_in<T: Tree>(self, tree: &mut T, world: Option<&mut dyn Actions>) -> Result<(), Refusal> {
         match self {
-            Self::Hold { component, hold } => tree.hold_at(component, hold),
+            Self::Hold { component, hold } => tree.at_mut(component).map(|mut component| component.hold(hold)),
             Self::Rate { component, hz } => {
                 possible::<T>(component, hz)?;
-                tree.set_rate_at(component, hz)
+                tree.at_mut(component).map(|mut component| component.set_rate(hz))
             }
             Self::Params(batch) => tree.set_params(batch),
             Self::Modulate { component, modulation, arguments } => {

@@ -15,7 +15,7 @@ use crate::message::{Change, ComponentState, MAX_BATCH, MAX_VALUES, ParamValues,
 pub fn effective<T: Tree>(tree: &T, change: &Change) -> Vec<Value, MAX_BATCH> {
     match change {
         Change::Params(batch) => {
-            let value = |setting: &Setting| tree.get_param(setting.component, usize::from(setting.index));
+            let value = |setting: &Setting| tree.at(setting.component).ok()?.param(usize::from(setting.index));
             batch.iter().filter_map(value).collect()
         }
         Change::Rate { component, .. } => {
@@ -42,7 +42,7 @@ pub fn state<T: Tree>(tree: &T, index: usize) -> Option<ComponentState> {
 pub fn params<T: Tree>(tree: &T, cycle: u64, component: u16, first: u16) -> Option<ParamValues> {
     let count = T::GRAPH.nodes.get(usize::from(component)).map_or(0, Node::param_count);
     let start = usize::from(first);
-    let value = |index| tree.get_param(usize::from(component), index);
+    let value = |index| tree.at(usize::from(component)).ok()?.param(index);
     (start < count).then(|| {
         let values = (start..count.min(start + MAX_VALUES)).map(value).collect();
         ParamValues { cycle, component, first, values }

@@ -2,9 +2,9 @@
 
 use bica::runner::Runner;
 use bica::{ComponentId, Instant, Tree};
+use bica_motion::model::NAO;
 use bica_motion::robot::{self, Command};
 use bica_motion::stiffness::Stiffness;
-use bica_motion::model::NAO;
 use bica_player::input::{CameraInput, IMAGE_BYTES, RobotState};
 use bica_player::perception::{BallDetector, GoalDetector};
 #[cfg(not(feature = "monitor"))]

@@ -82,12 +82,12 @@ fn ball_is_found_and_approached_where_it_is_seen() {
     let pose = Pose2::new(20.0, 2.0, 0.5);
     let ball = pose.place(Vec2::new(2.0, 0.4));
     run(&mut forward, &sights(pose, ball), 0..6);
-    assert_eq!(forward.state_name::<Player>(), Some("approach"));
+    assert_eq!(forward.of::<Player>().state_name(), Some("approach"));
     let seen = forward.get::<BallDetector>().position().expect("the ball is seen");
     assert!(seen.distance(Vec2::new(2.0, 0.4)) < 0.03, "{seen}");
     // Without a view of the ball for longer than its memory, it is searched again.
     run(&mut forward, &View::new(), 6..150);
-    assert_eq!(forward.state_name::<Player>(), Some("look_for_ball"));
+    assert_eq!(forward.of::<Player>().state_name(), Some("look_for_ball"));
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn pose_and_goal_follow_from_marks() {
         let mut forward = forward();
         // Marks and goal are read only while the robot searches for the goal.
         for name in ["Localization", "GoalDetector"] {
-            forward.hold_at(name, bica::Hold::Active).expect("a component");
+            forward.at_mut(name).expect("a component").hold(bica::Hold::Active);
         }
         run(&mut forward, &sights(pose, Vec2::ZERO), 0..6);
         let found = forward.get::<Localization>().pose().expect("marks are in view");
@@ -111,7 +111,7 @@ fn pose_and_goal_follow_from_marks() {
 #[test]
 fn one_mark_and_marks_in_a_point_give_no_pose() {
     let mut forward = forward();
-    forward.hold_at("Localization", bica::Hold::Active).expect("a component");
+    forward.at_mut("Localization").expect("a component").hold(bica::Hold::Active);
     let all = sights(Pose2::new(20.0, 2.0, 0.3), Vec2::ZERO);
     let mark = *all.iter().find(|sight| matches!(sight.object, Object::Mark(_))).expect("a mark");
     run(&mut forward, &[mark, mark].into_iter().collect(), 0..6);

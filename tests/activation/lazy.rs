@@ -25,8 +25,8 @@ impl Observer<Forward> for Ran {}
 /// Runs 300 cycles in which an operator holds only this component active; returns the components that ran.
 fn ran_with(active: ComponentId) -> Ran {
     let mut game = new_game(&Setup { seed: 3, frame: Frame::Small, ..Setup::default() }).with_observer(Ran::default());
-    game.robot_mut().hold::<Player>(Hold::Latent);
-    game.robot_mut().hold_at(active, Hold::Active).unwrap();
+    game.robot_mut().of_mut::<Player>().hold(Hold::Latent);
+    game.robot_mut().at_mut(active).unwrap().hold(Hold::Active);
     for _ in 0..300 {
         game.cycle().expect("the image fits");
     }

@@ -51,7 +51,7 @@ fn walked(test: &mut Test, seconds: u64) -> f32 {
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_a_robot_without_a_detector_that_runs_stands() {
     let holds: [fn(&mut Forward); 2] =
-        [|robot| robot.hold::<BallDetector>(Hold::Latent), |robot| robot.rate_mut::<BallDetector>().set(0.0)];
+        [|robot| robot.of_mut::<BallDetector>().hold(Hold::Latent), |robot| robot.rate_mut::<BallDetector>().set(0.0)];
     for (index, hold) in holds.into_iter().enumerate() {
         let mut test = approaching(Faults::default());
         hold(test.tree_mut());
@@ -119,9 +119,9 @@ fn slow_stuck_head_stops_no_search() {
 fn estimates_of_components_that_do_not_run_are_old() {
     let mut test = start(Faults::default());
     for id in [Forward::id::<BallDetector>(), Forward::id::<GoalDetector>(), Forward::id::<RobotDetector>()] {
-        test.tree_mut().hold_at(id, Hold::Active).expect("a component");
+        test.tree_mut().at_mut(id).expect("a component").hold(Hold::Active);
     }
-    test.tree_mut().hold::<Localization>(Hold::Active);
+    test.tree_mut().of_mut::<Localization>().hold(Hold::Active);
     let known = |test: &Test| {
         let tree = test.tree();
         let ball = tree.get::<BallDetector>();
@@ -135,14 +135,14 @@ fn estimates_of_components_that_do_not_run_are_old() {
     };
     let all = |test: &Test| known(test) == [true; 5];
     test.until("all estimates are known", Duration::from_secs(40), all);
-    test.tree_mut().hold::<Player>(Hold::Latent);
+    test.tree_mut().of_mut::<Player>().hold(Hold::Latent);
     for (index, id) in [
         (0, Forward::id::<BallDetector>()),
         (2, Forward::id::<GoalDetector>()),
         (3, Forward::id::<Localization>()),
         (4, Forward::id::<Odometry>()),
     ] {
-        test.tree_mut().hold_at(id, Hold::Latent).expect("a component");
+        test.tree_mut().at_mut(id).expect("a component").hold(Hold::Latent);
         test.run_for(Duration::from_millis(600));
         assert!(!known(&test)[index], "{} {:?}", Forward::GRAPH.nodes[id.index()].name, known(&test));
     }

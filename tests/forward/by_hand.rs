@@ -21,7 +21,7 @@ struct ByHand(Game);
 impl ByHand {
     fn new(start: Option<Start>) -> Self {
         let mut game = new_game(&Setup { seed: 4, goalkeeper: false, start, ..Setup::default() });
-        game.robot_mut().hold::<Player>(Hold::Latent);
+        game.robot_mut().of_mut::<Player>().hold(Hold::Latent);
         Self(game)
     }
 
@@ -29,7 +29,7 @@ impl ByHand {
     where
         Forward: Has<C>,
     {
-        self.0.robot_mut().hold::<C>(hold);
+        self.0.robot_mut().of_mut::<C>().hold(hold);
     }
 
     /// Calls a modulation by the name that operators use.
@@ -87,7 +87,7 @@ fn turn_and_go_straight_need_no_body() {
     hand.modulate::<Turn>("set_speed", &[Value::F32(-0.5)]);
     let turned = hand.motion(2.0).heading;
     assert!((-1.0..-0.6).contains(&turned), "{turned}");
-    assert!(!hand.robot().is_active::<Body>());
+    assert!(!hand.robot().of::<Body>().is_active());
 
     let mut hand = ByHand::new(None);
     hand.hold::<GoStraight>(Hold::Active);
@@ -121,7 +121,7 @@ fn the_body_walks_in_each_way_and_stands() {
     assert!(turned > 0.6, "{turned}");
     hand.modulate::<Body>("go", &[Value::F32(0.1), Value::F32(0.0)]);
     hand.run(1.0);
-    assert_eq!(hand.robot().state_name::<Body>(), Some("going"));
+    assert_eq!(hand.robot().of::<Body>().state_name(), Some("going"));
     hand.modulate::<Body>("stand", &[]);
     hand.run(2.0);
     assert!(hand.robot().get::<Body>().is_still());
@@ -174,10 +174,10 @@ fn fixmove_kicks_once_for_each_modulation() {
     hand.run(0.1);
     assert!(hand.robot().get::<Fixmove>().error().is_some());
     hand.run(9.0);
-    assert_eq!((hand.kicks(), hand.robot().state_name::<Fixmove>()), (1, Some("over")));
+    assert_eq!((hand.kicks(), hand.robot().of::<Fixmove>().state_name()), (1, Some("over")));
     hand.modulate::<Fixmove>("kick", &[Value::Choice(1), Value::Choice(1), Value::F32(0.0)]);
     hand.run(0.1);
-    assert_eq!(hand.robot().state_name::<Fixmove>(), Some("align"));
+    assert_eq!(hand.robot().of::<Fixmove>().state_name(), Some("align"));
 }
 
 #[test]
@@ -195,7 +195,7 @@ fn search_begins_on_the_modulated_side() {
     assert!(first_pan < 0.0, "the right side first: {first_pan}");
     hand.modulate::<SearchBall>("search_elsewhere", &[]);
     hand.run(0.05);
-    assert_eq!(hand.robot().state_name::<SearchBall>(), Some("find_path"));
+    assert_eq!(hand.robot().of::<SearchBall>().state_name(), Some("find_path"));
     let turned = wrap(hand.motion(1.0).heading);
     assert!(turned < -0.2, "it turns to the right as well: {turned}");
 }

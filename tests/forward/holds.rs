@@ -40,7 +40,7 @@ fn play(component: ComponentId, hold: Hold) -> Option<String> {
         game.world().referee().goals() == 0
     });
     let (cycles, robot) = (cycles.count(), game.robot());
-    let (fault, state) = (robot.get::<HealthMonitor>().fault(), robot.state_name::<Player>());
+    let (fault, state) = (robot.get::<HealthMonitor>().fault(), robot.of::<Player>().state_name());
     (fault.is_some() || cycles == TO_GOAL).then(|| format!("{fault:?} after {cycles} cycles in the state {state:?}"))
 }
 

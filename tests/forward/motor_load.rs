@@ -49,11 +49,11 @@ fn slow_hot_robot_scores_after_cooling() {
     game.world_mut().set_motor_temperature(Joint::LKneePitch, 71.0);
     play(&mut game, 100);
     assert!(game.robot().get::<HealthMonitor>().fault().is_some());
-    assert!(game.robot().is_active::<SafetyGuard>(), "the robot sits");
+    assert!(game.robot().of::<SafetyGuard>().is_active(), "the robot sits");
     game.world_mut().set_motor_temperature(Joint::LKneePitch, 60.0);
     play(&mut game, 300);
     assert_eq!(game.robot().get::<HealthMonitor>().fault(), None);
-    assert!(!game.robot().is_active::<SafetyGuard>(), "the robot plays");
+    assert!(!game.robot().of::<SafetyGuard>().is_active(), "the robot plays");
     // The robot may score again later.
     for _ in 0..6000 {
         if game.world().referee().goals() > 0 {

@@ -55,10 +55,10 @@ impl Cycle {
 /// Returns a forward with all components of perception active.
 fn forward(attacks: GoalColour) -> Box<Forward> {
     let mut robot = Box::new(Forward::new());
-    robot.hold::<BallDetector>(Hold::Active);
-    robot.hold::<GoalDetector>(Hold::Active);
-    robot.hold::<Localization>(Hold::Active);
-    robot.hold::<RobotDetector>(Hold::Active);
+    robot.of_mut::<BallDetector>().hold(Hold::Active);
+    robot.of_mut::<GoalDetector>().hold(Hold::Active);
+    robot.of_mut::<Localization>().hold(Hold::Active);
+    robot.of_mut::<RobotDetector>().hold(Hold::Active);
     robot.get_mut::<GoalDetector>().attack(attacks);
     robot
 }

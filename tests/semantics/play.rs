@@ -33,16 +33,16 @@ fn perform<T: TestTree>(tree: &mut T, model: &mut Model, index: usize, action: A
     match action {
         Action::Flags(flags) => (tree.unit(index).flags, model.components[index].flags) = (flags, flags),
         Action::Rate(hz) => {
-            tree.set_rate_at(index, Some(hz)).unwrap();
+            tree.at_mut(index).unwrap().set_rate(Some(hz));
             model.set_rate(index, hz);
         }
         Action::Reset => {
-            tree.set_rate_at(index, None).unwrap();
+            tree.at_mut(index).unwrap().set_rate(None);
             model.components[index].hz = T::GRAPH.nodes[index].hz;
         }
         Action::SetChildRate(hz) => tree.unit(index).requested_rate = Some(hz),
         Action::Hold(hold) => {
-            tree.hold_at(index, hold).unwrap();
+            tree.at_mut(index).unwrap().hold(hold);
             model.memories[index].hold = hold;
         }
     }

@@ -62,10 +62,9 @@ activation_tree! {
 fn an_unlisted_component_is_never_active() {
     let mut tree = Lamp::new();
     let unlisted = "entry 0: no such component; there are: Child, Parent, Switch";
-    assert_eq!(tree.hold_at(99, Hold::Active).unwrap_err().to_string(), unlisted);
-    assert_eq!(tree.set_rate_at("Chidl", Some(1.0)).unwrap_err().to_string(), unlisted);
+    assert_eq!(tree.at_mut(99).unwrap_err().to_string(), unlisted);
+    assert_eq!(tree.at("Chidl").unwrap_err().to_string(), unlisted);
     tree.tick(at(0));
-    assert!(!tree.is_active_at(99) && !tree.is_active_at("Chidl"));
     assert_eq!((tree.state(99), tree.status(99), tree.status("Chidl")), (None, None, None));
 }
 
@@ -77,13 +76,13 @@ fn the_status_of_each_component_is_current() {
     assert_eq!(tree.status(child), Some(latent));
     tree.get_mut::<Switch>().on = true;
     tree.tick(at(70));
-    tree.set_rate_at(child, Some(0.5)).unwrap();
-    tree.set_rate_at(switch, Some(20.0)).unwrap();
-    tree.hold_at(switch, Hold::Active).unwrap();
+    tree.at_mut(child).unwrap().set_rate(Some(0.5));
+    tree.at_mut(switch).unwrap().set_rate(Some(20.0));
+    tree.at_mut(switch).unwrap().hold(Hold::Active);
     let since = Some(at(70));
     assert_eq!(tree.status(child), Some(Status { active: true, since, hz: Some(0.5), ..latent }));
     let expected = Status { active: true, held: Hold::Active, state: Some(1), since, hz: Some(20.0) };
     assert_eq!(tree.status(switch), Some(expected));
-    tree.set_rate_at(Lamp::id::<Child>(), Some(f32::INFINITY)).unwrap();
+    tree.of_mut::<Child>().set_rate(Some(f32::INFINITY));
     assert_eq!(tree.rate::<Child>().hz(), Some(1.0));
 }

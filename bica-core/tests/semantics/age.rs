@@ -100,11 +100,11 @@ fn an_age_is_the_time_since_the_last_run() {
 fn an_age_grows_while_a_component_is_latent() {
     let mut tree = Ages::new();
     tree.tick(at(0));
-    tree.hold::<Eye>(Hold::Latent);
+    tree.of_mut::<Eye>().hold(Hold::Latent);
     let held = ages(&mut tree, (20..120).step_by(20));
     assert_eq!(held, [0, 20, 40, 60, 80, 100].map(Some));
     assert!(!tree.get::<Reader>().is_new);
-    tree.hold::<Eye>(Hold::Tree);
+    tree.of_mut::<Eye>().hold(Hold::Tree);
     assert_eq!(ages(&mut tree, [120].into_iter()), [Some(0)]);
     assert!(tree.get::<Reader>().is_new);
     tree.rate_mut::<Eye>().set(0.0);
@@ -115,7 +115,7 @@ fn an_age_grows_while_a_component_is_latent() {
 fn an_age_survives_the_end_of_a_state() {
     let mut tree = Ages::new();
     ages(&mut tree, (0..=400).step_by(20));
-    assert_eq!(tree.state_name::<Reader>(), Some("lights"));
+    assert_eq!(tree.of::<Reader>().state_name(), Some("lights"));
     assert_eq!(ages(&mut tree, [420, 10_000].into_iter()), [Some(120), Some(9700)]);
     assert_eq!(tree.get::<Reader>().lamp, Some(Duration::from_millis(9580)));
 }

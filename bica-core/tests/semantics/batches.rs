@@ -148,7 +148,7 @@ proptest! {
                 prop_assert_eq!(seen, (Some(model[index]), Some(model[index])));
                 let values = [Value::F32(model[index].low), Value::F32(model[index].high), Value::U32(model[index].count)];
                 for (place, value) in values.into_iter().enumerate() {
-                    prop_assert_eq!(tree.get_param(index, place), Some(value));
+                    prop_assert_eq!(tree.at(index).unwrap().param(place), Some(value));
                 }
             }
         }

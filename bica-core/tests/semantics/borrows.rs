@@ -85,5 +85,5 @@ fn a_panic_in_a_probe_leaves_a_tree_that_can_be_used() {
     let ticked = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| tree.tick_with(at(0), &mut Stop)));
     assert!(ticked.is_err());
     tree.tick(at(10));
-    assert!(tree.is_active::<Cell<3>>());
+    assert!(tree.of::<Cell<3>>().is_active());
 }

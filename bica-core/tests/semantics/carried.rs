@@ -117,11 +117,11 @@ fn the_entry_hook_takes_what_the_transition_found() {
     tree.tick(at(20));
     assert_eq!(tree.get::<Striker>().kick, Some(Kick(4)), "a state that is entered from itself takes it anew");
     tree.tick(at(120));
-    assert_eq!(tree.state_name::<Striker>(), Some("look"));
+    assert_eq!(tree.of::<Striker>().state_name(), Some("look"));
     assert_eq!(tree.get::<Striker>().begun, Some(7), "the initial state takes it from a transition");
-    tree.hold::<Striker>(Hold::Latent);
+    tree.of_mut::<Striker>().hold(Hold::Latent);
     tree.tick(at(140));
-    tree.hold::<Striker>(Hold::Tree);
+    tree.of_mut::<Striker>().hold(Hold::Tree);
     tree.tick(at(160));
     assert_eq!(tree.get::<Striker>().begun, None, "nothing is left of an earlier cycle");
 }

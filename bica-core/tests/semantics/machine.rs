@@ -115,16 +115,15 @@ impl Resumer {
 #[test]
 fn the_name_of_the_current_state_is_reported() {
     let mut tree = Team::new();
-    assert_eq!(tree.state_name::<Player>(), None, "never active");
+    assert_eq!(tree.of::<Player>().state_name(), None, "never active");
     tree.tick(at(0));
-    assert_eq!(tree.state_name::<Player>(), Some("look"));
+    assert_eq!(tree.of::<Player>().state_name(), Some("look"));
     tree.get_mut::<Ball>().near = true;
     tree.tick(at(10));
-    assert_eq!(tree.state_name::<Player>(), Some("walk"));
-    tree.hold::<Coach>(Hold::Latent);
+    assert_eq!(tree.of::<Player>().state_name(), Some("walk"));
+    tree.of_mut::<Coach>().hold(Hold::Latent);
     tree.tick(at(20));
-    assert!(!tree.is_active::<Player>());
-    assert_eq!(tree.state_name::<Player>(), Some("walk"), "the state in which it became latent");
-    assert_eq!(tree.state_name::<Coach>(), None, "no states");
-    assert_eq!(tree.state_name_at("Playr"), None);
+    assert!(!tree.of::<Player>().is_active());
+    assert_eq!(tree.of::<Player>().state_name(), Some("walk"), "the state in which it became latent");
+    assert_eq!(tree.of::<Coach>().state_name(), None, "no states");
 }

@@ -158,7 +158,7 @@ fn functions_get_their_component_s_values() {
     tree.set_params(&[machine(1), kicker("runs", Value::U32(7))]).unwrap();
     tree.tick(Instant::from_millis(0));
     tree.tick(Instant::from_millis(10));
-    tree.hold::<Machine>(Hold::Latent);
+    tree.of_mut::<Machine>().hold(Hold::Latent);
     tree.tick(Instant::from_millis(20));
     let log = [("start", 1), ("wait", 1), ("exit", 1), ("entry", 1), ("go", 1), ("stop", 1)];
     assert_eq!(tree.get::<Machine>().log, log);
@@ -169,9 +169,9 @@ fn functions_get_their_component_s_values() {
 fn values_survive_a_component_that_resets_itself() {
     let mut tree = Adjusted::new();
     tree.set_params(&[kicker("back", Value::F32(0.25))]).unwrap();
-    tree.hold::<Kicker>(Hold::Latent);
+    tree.of_mut::<Kicker>().hold(Hold::Latent);
     tree.tick(Instant::from_millis(0));
-    tree.hold::<Kicker>(Hold::Tree);
+    tree.of_mut::<Kicker>().hold(Hold::Tree);
     tree.tick(Instant::from_millis(10));
     assert_eq!(tree.get::<Kicker>().seen, [(0.25, 2)]);
 }
@@ -181,11 +181,11 @@ fn parameters_are_counted_through_structs() {
     let tree = Adjusted::new();
     let values = [Value::F32(-0.5), Value::I32(-7), Value::U32(3), Value::Bool(true), Value::Choice(1), Value::U32(2)];
     for (index, value) in values.into_iter().enumerate() {
-        assert_eq!(tree.get_param("Kicker", index), Some(value));
+        assert_eq!(tree.at("Kicker").unwrap().param(index), Some(value));
     }
-    assert_eq!(tree.get_param(Adjusted::id::<Kicker>(), "runs"), Some(Value::U32(2)));
-    assert_eq!((tree.get_param("Kicker", 6), tree.get_param("Kicker", "run")), (None, None));
-    assert_eq!((tree.get_param(2, 0), tree.get_param("Kiker", "runs")), (None, None));
+    assert_eq!(tree.of::<Kicker>().param("runs"), Some(Value::U32(2)));
+    assert_eq!((tree.of::<Kicker>().param(6), tree.of::<Kicker>().param("run")), (None, None));
+    assert!(tree.at(2).is_err() && tree.at("Kiker").is_err());
 }
 
 #[test]
@@ -244,7 +244,7 @@ fn values_are_replaced_together_or_not() {
 fn an_untunable_tree_stores_nothing_and_refuses() {
     let mut tree = constant::Adjusted::new();
     assert!(size_of::<constant::Adjusted>() < size_of::<Adjusted>());
-    assert_eq!(tree.get_param("Kicker", "foot"), Some(Value::Choice(1)));
+    assert_eq!(tree.of::<Kicker>().param("foot"), Some(Value::Choice(1)));
     let refusal = tree.set_params(&[kicker("back", Value::F32(0.0))]).unwrap_err();
     assert_eq!(refusal.to_string(), "`Kicker.back`: the tree is not `tunable`, its parameters are constants");
     let refusal = tree.set_params_of::<Machine>(Tuned::DEFAULT).unwrap_err();

@@ -107,7 +107,7 @@ activation_tree! {
 fn states(arm: &mut Arm, from: u64, to: u64) -> Vec<&'static str> {
     let state = |ms: u64| {
         arm.tick(at(ms));
-        arm.state_name::<Picker>().expect("a machine")
+        arm.of::<Picker>().state_name().expect("a machine")
     };
     (from / 10..to / 10).map(|cycle| cycle * 10).map(state).collect()
 }

@@ -261,12 +261,12 @@ fn with_writers_last_a_child_runs_at_the_end() {
     assert_eq!(tree.get::<Four>().seen, [0, 1, 2, 3], "a reader finds the values of the cycle before");
     assert_eq!(tree.get::<Motor>().done, [60, 60, 60, 60], "what it activates follows it");
     // The first writer counts while the second one is latent.
-    tree.hold::<Six>(Hold::Latent);
+    tree.of_mut::<Six>().hold(Hold::Latent);
     tree.tick(at(40));
     assert_eq!(tree.get::<Late>().done.last(), Some(&5));
     // A held writer is one of the cycle, too.
-    tree.hold::<Five>(Hold::Latent);
-    tree.hold::<Six>(Hold::Active);
+    tree.of_mut::<Five>().hold(Hold::Latent);
+    tree.of_mut::<Six>().hold(Hold::Active);
     tree.tick(at(50));
     assert_eq!(tree.get::<Late>().done.last(), Some(&6));
 }
@@ -274,13 +274,13 @@ fn with_writers_last_a_child_runs_at_the_end() {
 #[test]
 fn a_latent_component_can_be_written_and_keeps_it() {
     let mut tree = Writers::new();
-    tree.hold::<Two>(Hold::Latent);
-    tree.hold::<One>(Hold::Latent);
+    tree.of_mut::<Two>().hold(Hold::Latent);
+    tree.of_mut::<One>().hold(Hold::Latent);
     tree.tick(at(0));
     tree.get_mut::<Motor>().requested = 7;
     tree.tick(at(10));
-    assert_eq!((tree.is_active::<Motor>(), tree.get::<Motor>().requested), (false, 7));
-    tree.hold::<Two>(Hold::Tree);
+    assert_eq!((tree.of::<Motor>().is_active(), tree.get::<Motor>().requested), (false, 7));
+    tree.of_mut::<Two>().hold(Hold::Tree);
     tree.tick(at(20));
     assert_eq!(tree.get::<Motor>().done, [2], "its activator wrote before its first run");
 }

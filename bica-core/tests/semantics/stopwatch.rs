@@ -91,10 +91,10 @@ fn a_component_s_time_excludes_hooks() {
 #[test]
 fn adjacent_sections_share_one_read_of_the_counter() {
     let (mut bench, mut watch) = watched(1);
-    bench.hold::<Rare>(Hold::Latent);
+    bench.of_mut::<Rare>().hold(Hold::Latent);
     bench.tick_with(at(10), &mut watch);
     assert_eq!(reads(|| bench.tick_with(at(20), &mut watch)), 4, "three ran");
-    bench.hold::<Rare>(Hold::Tree);
+    bench.of_mut::<Rare>().hold(Hold::Tree);
     bench.tick_with(at(30), &mut watch);
     assert_eq!(reads(|| bench.tick_with(at(40), &mut watch)), 5, "between two that ran one was not due");
 }

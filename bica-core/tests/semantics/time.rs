@@ -39,7 +39,7 @@ const YEAR: u64 = 365 * 24 * 3600 * 1_000_000;
 fn in_state(tree: &mut Waiting, ticks: u64) -> (u64, bool) {
     tree.tick(Instant::from_ticks(ticks));
     let time = tree.get_mut::<TwoStates>().times.pop().unwrap();
-    (time.in_state.as_ticks(), tree.state_name::<TwoStates>() == Some("waits"))
+    (time.in_state.as_ticks(), tree.of::<TwoStates>().state_name() == Some("waits"))
 }
 
 #[test]

@@ -214,12 +214,12 @@ fn a_hold_after_unwinding_keeps_the_stop() {
         tree.tick(at(0));
         assert!(unwinds(&mut tree, 10, 0));
         assert_eq!(open(&tree), tree.active().collect());
-        tree.hold::<Root>(Hold::Latent);
-        assert!(tree.is_active::<Root>(), "it stops in the next tick");
+        tree.of_mut::<Root>().hold(Hold::Latent);
+        assert!(tree.of::<Root>().is_active(), "it stops in the next tick");
         let lines = cycle(&mut tree, 20);
         assert!(lines.iter().all(|line| line.starts_with("stop")), "{lines:?}");
         assert_eq!(tree.active().count(), 0);
-        tree.hold::<Root>(Hold::Tree);
+        tree.of_mut::<Root>().hold(Hold::Tree);
         assert_eq!(cycle(&mut tree, 30)[0], "start Root");
     });
 }
@@ -238,7 +238,7 @@ impl Probe for LastTransition {
 fn unwinding_discards_a_resumed_state() {
     without_panic_messages(|| {
         let mut tree = Fragile::new();
-        tree.hold::<Right>(Hold::Active);
+        tree.of_mut::<Right>().hold(Hold::Active);
         tree.tick(at(0));
         tree.tick(at(10));
         assert!(unwinds(&mut tree, 20, 0));
@@ -264,7 +264,7 @@ proptest! {
             for (countdown, ms, hold) in ticks {
                 now += ms;
                 if let Some((index, how)) = hold {
-                    tree.hold_at(index, [Hold::Tree, Hold::Active, Hold::Latent][how]).unwrap();
+                    tree.at_mut(index).unwrap().hold([Hold::Tree, Hold::Active, Hold::Latent][how]);
                 }
                 let unwound = unwinds(&mut tree, now, countdown);
                 let active: BTreeSet<_> = tree.active().collect();

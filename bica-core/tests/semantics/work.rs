@@ -108,9 +108,9 @@ fn a_second_job_replaces_the_first() {
 #[test]
 fn a_latent_component_drops_its_job() {
     let mut tree = begun();
-    tree.hold::<Planner>(Hold::Latent);
+    tree.of_mut::<Planner>().hold(Hold::Latent);
     tick(&mut tree, 10);
-    tree.hold::<Planner>(Hold::Tree);
+    tree.of_mut::<Planner>().hold(Hold::Tree);
     (2..9).for_each(|cycle| tick(&mut tree, 10 * cycle));
     assert!(tree.get::<Planner>().found.is_empty() && tree.get::<Planner>().idle);
 }
@@ -149,7 +149,7 @@ fn a_job_that_panics_unwinds_once_and_has_no_result() {
     tree.get_mut::<Planner>().wanted = Some(13);
     (0..3).for_each(|cycle| tick(&mut tree, 10 * cycle));
     assert!(catch_unwind(AssertUnwindSafe(|| tick(&mut tree, 30))).is_err());
-    assert!(tree.is_active::<Planner>());
+    assert!(tree.of::<Planner>().is_active());
     tree.get_mut::<Planner>().wanted = Some(2);
     (4..8).for_each(|cycle| tick(&mut tree, 10 * cycle));
     assert_eq!(tree.get::<Planner>().found, [5]);

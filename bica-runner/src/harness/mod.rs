@@ -207,7 +207,7 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
     where
         T: Has<C>,
     {
-        self.tree.state_name_at(T::id::<C>()).filter(|_| self.tree.is_active::<C>())
+        self.tree.of::<C>().state_name().filter(|_| self.is_active::<C>())
     }
 
     /// Whether component `C` was active in the last cycle.
@@ -216,7 +216,7 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
     where
         T: Has<C>,
     {
-        self.tree.is_active::<C>()
+        self.tree.of::<C>().is_active()
     }
 
     fn name<C: 'static>() -> &'static str

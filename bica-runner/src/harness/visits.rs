@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::vec::Vec;
 use std::{env, eprintln, format, fs, process};
 
-use bica_core::{ComponentId, Instant, Tree};
+use bica_core::{ComponentId, Handle, Instant, Tree};
 
 /// Variable with the folder of these files.
 const FOLDER: &str = "BICA_COVERAGE";
@@ -40,7 +40,7 @@ impl Visits {
         self.now = now;
         for (index, (component, known)) in self.present.iter_mut().enumerate() {
             let id = ComponentId::new(index);
-            let state = tree.state_name_at(id).filter(|_| tree.is_active_at(id));
+            let state = tree.at(id).ok().filter(Handle::is_active).and_then(|component| component.state_name());
             if state != *known {
                 *known = state;
                 line(&mut self.text, now, component, state);

@@ -192,5 +192,5 @@ fn a_request_of_a_program_takes_the_same_path() {
     assert!(matches!(refusal.reason, Reason::OutOfRange { .. }), "{refusal}");
     assert_eq!(runner.cycle(), Ok(103));
     assert_eq!((runner.observer().requested.len(), runner.observer().refused.len()), (1, 1));
-    assert_eq!(runner.robot().get_param(COUNTER, "slope"), Some(Value::I32(3)));
+    assert_eq!(runner.robot().at(COUNTER).unwrap().param("slope"), Some(Value::I32(3)));
 }

@@ -31,7 +31,7 @@ impl Description {
         self.messages = Some(Messages::of::<R>());
         for (component, described) in self.components.iter_mut().enumerate() {
             for (index, param) in described.params.iter_mut().enumerate() {
-                param.value = robot.get_param(component, index);
+                param.value = robot.at(component).ok().and_then(|component| component.param(index));
             }
             for (index, info) in described.info.iter_mut().enumerate() {
                 info.schema = read::schema(robot, component, index).map(Into::into);

@@ -79,7 +79,7 @@ It is no medical device, and its stop is no certified safety function.";
 fn rooms() -> App<Therapist> {
     let app = App::<Therapist>::new("therapy").describe(|command| command.after_help(AFTER));
     let app = app.try_world("room", Room::open).try_world("mujoco", Room::open_with_forces);
-    app.until(|robot| robot.state_name::<Session>() == Some("finished"))
+    app.until(|robot| robot.of::<Session>().state_name() == Some("finished"))
 }
 
 /// Measures each component in the simulated room, with the session `physiotherapy`; returns the exit code.

@@ -87,7 +87,7 @@ fn main() {
     for n in 0..254 {
         tree.tick(Instant::from_ticks(n));
     }
-    assert_eq!(tree.state_name::<Patient>(), Some("s254"));
+    assert_eq!(tree.of::<Patient>().state_name(), Some("s254"));
     tree.tick(Instant::from_secs(2));
-    assert_eq!(tree.state_name::<Patient>(), Some("s0"));
+    assert_eq!(tree.of::<Patient>().state_name(), Some("s0"));
 }

@@ -58,5 +58,5 @@ activation_tree! {
 fn private_and_generic_values_are_carried() {
     let mut robot = Robot::new();
     robot.tick(Instant::from_millis(0));
-    assert_eq!((robot.state_name::<Player<u8>>(), robot.get::<Player<u8>>().taken), (Some("kick"), 1));
+    assert_eq!((robot.of::<Player<u8>>().state_name(), robot.get::<Player<u8>>().taken), (Some("kick"), 1));
 }

@@ -59,7 +59,7 @@ fn results_of_generic_children_are_asked() {
     let mut robot = Robot::new();
     let states = [0, 10, 20, 30, 40].map(|ms| {
         robot.tick(Instant::from_millis(ms));
-        robot.state_name::<Boss>().expect("a machine")
+        robot.of::<Boss>().state_name().expect("a machine")
     });
     // The child is read in `rest`: its result is there in the same cycle, but not where the state was entered.
     assert_eq!(states, ["work", "work", "rest", "work", "work"]);

@@ -47,8 +47,9 @@ impl Reference {
         }
         let ids = || (0..Forward::COUNT).map(ComponentId::new);
         let robot = self.0.robot();
-        let same_tree = ids().map(|id| robot.is_active_at(id)).eq(report.active.iter().copied())
-            && ids().map(|id| robot.state(id)).eq(report.states.iter().copied());
+        let same_tree =
+            ids().map(|id| robot.at(id).is_ok_and(|component| component.is_active())).eq(report.active.iter().copied())
+                && ids().map(|id| robot.state(id)).eq(report.states.iter().copied());
         if !same_tree {
             return Err(format!("at {time_us} µs the active components or states differ from the host's").into());
         }

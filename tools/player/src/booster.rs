@@ -151,7 +151,7 @@ fn firmware(args: &Play, body: &'static Body, open: impl Fn() -> Result<Field, F
 fn motion(forward: &Forward) -> Motion {
     let velocity = forward.get::<Walk>().requested();
     let head = forward.get::<Head>().target();
-    let walks = forward.is_active::<Walk>();
+    let walks = forward.of::<Walk>().is_active();
     let velocity = if walks { [velocity.forward, velocity.left, velocity.turn] } else { [0.0; 3] };
     Motion { velocity, head: [head.pitch, head.yaw] }
 }

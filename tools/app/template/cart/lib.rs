@@ -197,5 +197,5 @@ impl Road {
 pub fn app() -> App<Cart> {
     App::<Cart>::new("cart")
         .world("road", |_| Road { cycle: 0, distance: 2.0 })
-        .until(|cart| cart.state_name::<Driver>() == Some("stand"))
+        .until(|cart| cart.of::<Driver>().state_name() == Some("stand"))
 }

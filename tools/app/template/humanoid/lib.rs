@@ -198,5 +198,5 @@ pub fn app() -> App<Biped> {
         .world("floor", |_| Floor::ideal());
     #[cfg(feature = "mujoco")]
     let app = app.try_world("mujoco", |options| Floor::with_forces(options.seed));
-    app.until(|biped| biped.state_name::<Patrol>() == Some("stand"))
+    app.until(|biped| biped.of::<Patrol>().state_name() == Some("stand"))
 }

@@ -88,10 +88,8 @@ impl FallSubject {
 
     fn count_attempts(&mut self) {
         let robot = self.runner.robot();
-        let guard = Forward::id::<SafetyGuard>();
-        let states = Forward::GRAPH.nodes[guard.index()].states;
-        let gets_up =
-            robot.is_active_at(guard) && robot.state(guard).is_some_and(|state| states[state].name == "get_up");
+        let guard = robot.of::<SafetyGuard>();
+        let gets_up = guard.is_active() && guard.state_name() == Some("get_up");
         self.attempts += u8::from(gets_up && !self.gets_up);
         self.gets_up = gets_up;
     }
@@ -132,6 +130,6 @@ impl FallSubject {
 
     /// Returns whether the robot has continued the game.
     pub(super) fn is_playing(&self) -> bool {
-        !self.runner.robot().is_active::<SafetyGuard>()
+        !self.runner.robot().of::<SafetyGuard>().is_active()
     }
 }

@@ -106,9 +106,9 @@ impl Lookout {
     pub(crate) fn new(seed: u64, robots: usize, size: Frame) -> Self {
         let world = KinematicWorld::new(NAO, &setup(seed, robots, size)).expect("a start on the carpet");
         let mut robot = Box::new(Forward::new());
-        robot.hold::<Player>(Hold::Latent);
-        robot.hold::<LookAround>(Hold::Active);
-        robot.hold::<Body>(Hold::Active);
+        robot.of_mut::<Player>().hold(Hold::Latent);
+        robot.of_mut::<LookAround>().hold(Hold::Active);
+        robot.of_mut::<Body>().hold(Hold::Active);
         robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
         Self { runner: Runner::new(robot, Stage { world, cycle: 0 }), seed, size }
     }
@@ -116,10 +116,10 @@ impl Lookout {
     /// Lets the robot play and localize itself.
     pub(crate) fn play(&mut self) {
         let robot = self.runner.robot_mut();
-        robot.hold::<Player>(Hold::Tree);
-        robot.hold::<LookAround>(Hold::Tree);
-        robot.hold::<Body>(Hold::Tree);
-        robot.hold::<Localization>(Hold::Active);
+        robot.of_mut::<Player>().hold(Hold::Tree);
+        robot.of_mut::<LookAround>().hold(Hold::Tree);
+        robot.of_mut::<Body>().hold(Hold::Tree);
+        robot.of_mut::<Localization>().hold(Hold::Active);
     }
 
     /// Moves the robot to the pose of another seed without notice.

@@ -118,7 +118,7 @@ impl FirmwareCheck {
         let robot = cycle.robot;
         let same_tree = (0..GRAPH.nodes.len()).map(ComponentId::new).all(|id| {
             let index = id.index();
-            report.active.get(index) == Some(&robot.is_active_at(id))
+            report.active.get(index) == Some(&robot.at(id).is_ok_and(|component| component.is_active()))
                 && report.states.get(index) == Some(&robot.state(id))
         });
         if !command_bits(&report.command).eq(command_bits(cycle.command)) || !same_tree || report.lost > 0 {

@@ -44,7 +44,7 @@ impl Scene<'_> {
         let each = || (0..GRAPH.nodes.len()).map(ComponentId::new);
         TreeState {
             tree: &TREE,
-            active: each().map(|id| self.robot.is_active_at(id)).collect(),
+            active: each().map(|id| self.robot.at(id).is_ok_and(|component| component.is_active())).collect(),
             states: each().map(|id| self.robot.state(id)).collect(),
         }
     }
@@ -62,6 +62,6 @@ impl Scene<'_> {
     where
         Forward: bica::Has<C>,
     {
-        self.robot.is_active::<C>()
+        self.robot.of::<C>().is_active()
     }
 }

@@ -120,7 +120,7 @@ impl Film {
         let each = || (0..Forward::GRAPH.nodes.len()).map(ComponentId::new);
         let tree = TreeState {
             tree: &self.description,
-            active: each().map(|id| forward.is_active_at(id)).collect(),
+            active: each().map(|id| forward.at(id).is_ok_and(|component| component.is_active())).collect(),
             states: each().map(|id| forward.state(id)).collect(),
         };
         let positions = [ball.map(|(at, seen)| Polar::new(at, seen)), goal.map(|at| Polar::new(at, false))];

@@ -73,7 +73,7 @@ impl Estimate {
         let (ball, place) = (forward.get::<BallDetector>(), forward.get::<Localization>());
         Self {
             odometry: forward.get::<Odometry>().pose(),
-            robot: place.pose().filter(|_| forward.is_active::<Localization>()),
+            robot: place.pose().filter(|_| forward.of::<Localization>().is_active()),
             ball: ball.position().map(|at| (at, ball.seen().is_some())),
             goal: place.posts().map(|[left, right]| 0.5 * (left + right)),
         }

@@ -85,8 +85,8 @@ mod with_mujoco {
                 assert!(
                     robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= NAO.sit_stiffness),
                     "in cycle {cycle}: {:?}, {:?}, {:?}",
-                    robot.state_name::<bica_player::behaviour::SafetyGuard>(),
-                    robot.state_name::<bica_player::behaviour::Player>(),
+                    robot.of::<bica_player::behaviour::SafetyGuard>().state_name(),
+                    robot.of::<bica_player::behaviour::Player>().state_name(),
                     robot.get::<HealthMonitor>().fault()
                 );
                 assert!(robot.get::<HealthMonitor>().fault().is_some());
@@ -108,7 +108,7 @@ mod with_mujoco {
             run_cycle(cycle, &mut robot, &mut world);
         }
         assert_eq!(robot.get::<HealthMonitor>().fault(), None);
-        assert!(!robot.is_active::<SafetyGuard>());
+        assert!(!robot.of::<SafetyGuard>().is_active());
         assert_eq!((world.referee().falls(), world.referee().posture()), (0, Posture::Upright));
     }
 

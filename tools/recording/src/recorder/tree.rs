@@ -19,7 +19,7 @@ pub(super) fn read_tree<T: Tree>(tree: &T, record: &mut TreeRecord) {
     record.states.clear();
     for index in 0..T::COUNT {
         let id = ComponentId::new(index);
-        record.active[index / 8] |= u8::from(tree.is_active_at(id)) << (index % 8);
+        record.active[index / 8] |= u8::from(tree.at(id).is_ok_and(|component| component.is_active())) << (index % 8);
         record.states.push(tree.state(id).map_or(u8::MAX, |state| state as u8));
     }
 }
