@@ -115,11 +115,6 @@ impl Unit {
         (self.flags & bit(BEGIN) != 0).then_some(self.value)
     }
 
-    /// Records the age of another component.
-    pub(crate) fn aged<C>(&self, of: &'static str, age: &Age<C>) {
-        record(Event::Aged { of, since_run: age.since_run().map(|age| age.as_ticks()) });
-    }
-
     /// Sets the rate of another component to the requested one.
     pub(crate) fn modulate<C: Component>(&mut self, of: &'static str, rate: &mut Rate<C>) {
         if let Some(hz) = self.requested_rate.take() {
@@ -135,6 +130,11 @@ impl Unit {
         };
         writes.into_iter().map(write).collect()
     }
+}
+
+/// Records the age of a component.
+pub(crate) fn aged<C>(of: &'static str, age: &Age<C>) {
+    record(Event::Aged { of, since_run: age.since_run().map(|age| age.as_ticks()) });
 }
 
 /// Test component with a name, attributes and functions. It records its hooks.

@@ -3,7 +3,7 @@
 use bica::prelude::*;
 
 use crate::semantics::test_tree::test_tree;
-use crate::semantics::unit::unit;
+use crate::semantics::unit::{aged, unit};
 
 unit!(Owner() {
     fn step(&mut self, time: &Time, clockwork: &mut Clockwork) {
@@ -19,13 +19,13 @@ unit!(Clockwork(hz = 50) {
 
     #[state]
     fn work(&mut self, time: &Time, sensor: &Sensor, sensed: &Age<Sensor>, motor: &mut Motor) {
-        self.unit.aged("Sensor", sensed);
+        aged("Sensor", sensed);
         self.unit.body("work", time, [sensor.unit.read()], [&mut motor.unit]);
     }
 
     #[state]
     fn fallen(&mut self, time: &Time, lit: &Age<Lamp>) {
-        self.unit.aged("Lamp", lit);
+        aged("Lamp", lit);
         self.unit.body("fallen", time, [], []);
     }
 

@@ -12,6 +12,7 @@ use crate::console::{Console, Failure};
 
 /// Arguments that say how a robot is served to monitors.
 #[derive(Clone, Debug, Args)]
+#[cfg_attr(feature = "ros", expect(clippy::struct_excessive_bools, reason = "each is an option of the command line"))]
 pub struct ServeArgs {
     /// Serve the run to monitors in real time, for the command `link`: HOST:PORT (port 0: any), or a serial line as
     /// /dev/ttyUSB0@921600

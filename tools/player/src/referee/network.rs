@@ -107,6 +107,7 @@ impl PlayerNetwork {
     }
 
     /// Adds what has arrived until `now`, µs, to the sensor values of a body.
+    #[expect(clippy::large_types_passed_by_value, reason = "it becomes a part of the returned value")]
     pub(super) fn sensors<'a>(&mut self, now: u64, body: Sensors<'a>) -> TeamSensors<'a> {
         let (packet, heard) = (self.receive(now), self.team.receive(now));
         TeamSensors { body, me: self.me, packet, ignored: self.ignored(), heard, refused: self.team.refused() }

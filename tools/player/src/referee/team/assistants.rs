@@ -28,7 +28,7 @@ impl Assistants {
             *before = now;
             let truth = teams.field.truth(index);
             let others = truth.others().iter().map(|other| other.position);
-            if let Some(at) = return_pose(truth.ball(), others).filter(|_| is_new) {
+            if let Some(at) = return_pose(truth.ball(), &others).filter(|_| is_new) {
                 self.carried += u32::from(teams.field.put_robot(index, at).is_ok());
             }
         }

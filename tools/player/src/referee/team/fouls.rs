@@ -102,7 +102,7 @@ fn pushes(robot: &Seen, robots: &[Seen]) -> bool {
 
 /// Returns the pose on the side line of its own half, facing the field, at which a player that is penalized stands: on the side away
 /// from the ball, and apart from the other `robots`. All in the frame of the player's team, m; `None` if there is no room.
-pub(super) fn return_pose(ball: Vec2, robots: impl Iterator<Item = Vec2> + Clone) -> Option<Pose2> {
+pub(super) fn return_pose(ball: Vec2, robots: &(impl Iterator<Item = Vec2> + Clone)) -> Option<Pose2> {
     const FROM_LINE: f32 = 0.1;
     const APART: f32 = 0.4;
     let y = (FIELD.field_corner().y - FROM_LINE).copysign(-ball.y);
@@ -163,10 +163,10 @@ mod tests {
         let corner = FIELD.field_corner();
         for side in [1.0_f32, -1.0] {
             let ball = Vec2::new(1.0, side);
-            let first = return_pose(ball, [].into_iter()).expect("there is room");
+            let first = return_pose(ball, &[].into_iter()).expect("there is room");
             assert!(first.position.x < 0.0 && first.position.y * side < 0.3 - corner.y, "{first:?}");
             assert!(first.locate(Vec2::new(first.position.x, 0.0)).x > 1.0, "it faces the field");
-            let second = return_pose(ball, [first.position].into_iter()).expect("there is room");
+            let second = return_pose(ball, &[first.position].into_iter()).expect("there is room");
             assert!(second.position.distance(first.position) > 0.4);
         }
     }

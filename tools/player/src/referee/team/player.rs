@@ -15,6 +15,7 @@ use crate::referee::network::PlayerNetwork;
 /// What carries packets and messages between a robot and the others.
 pub(super) trait Network: Send {
     /// Adds what has arrived until `now`, µs, to the sensor values of a body.
+    #[expect(clippy::large_types_passed_by_value, reason = "it becomes a part of the returned value")]
     fn sensors<'a>(&mut self, now: u64, body: Sensors<'a>) -> TeamSensors<'a>;
 
     /// Sends what a command has for the network.

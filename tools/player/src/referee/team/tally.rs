@@ -76,7 +76,7 @@ impl Tally {
     fn event(&mut self, team: usize, is_first: bool, event: &Event) {
         match event {
             Event::Goal | Event::OwnGoal if is_first => {
-                let scorer = if *event == Event::Goal { 0 } else { 1 };
+                let scorer = usize::from(*event != Event::Goal);
                 self.goals[scorer] += 1;
                 if self.last_touch == Some(1 - scorer) {
                     self.own_goals[1 - scorer] += 1;

@@ -22,6 +22,9 @@ pub(super) struct Teams<N> {
     pub(super) cycle: u64,
 }
 
+/// Worlds, players and commands of the robots that one thread plays.
+type Share<'a, N> = ((&'a mut [KinematicWorld], &'a mut [Player<N>]), &'a mut [Command]);
+
 impl<N: Network> Teams<N> {
     /// Creates a match: the first robots of the field have these players.
     pub(super) fn new(field: MatchField, players: Vec<Player<N>>) -> Self {
@@ -40,7 +43,6 @@ impl<N: Network> Teams<N> {
         let share = self.players.len().div_ceil(threads).max(1);
         let worlds = self.field.worlds_mut().chunks_mut(share);
         let mut shares = worlds.zip(self.players.chunks_mut(share)).zip(self.commands.chunks_mut(share));
-        type Share<'a, N> = ((&'a mut [KinematicWorld], &'a mut [Player<N>]), &'a mut [Command]);
         let play = |((worlds, players), commands): Share<'_, N>| -> Result<(), Failure> {
             for ((world, player), command) in worlds.iter_mut().zip(players).zip(commands) {
                 *command = player.play(now, world)?;
