@@ -227,7 +227,8 @@ pub(crate) const HOOK_LINKS: &str = "a `start` or `stop` hook takes only `&Tuned
 pub(crate) const OWN_LINK: &str = "a component cannot activate itself: remove this argument and use `self`";
 pub(crate) const TRANSITION_WRITES: &str =
     "a transition only reads: write `&`, and change things in an `#[entry]` or `#[exit]` hook";
-pub(crate) const BEFORE_READS: &str = "a `#[before]` stores what the transitions read: write `&mut self`, or call a method `fn(&self)` in each transition";
+pub(crate) const BEFORE_READS: &str = "a `#[before]` stores what the transitions read: write `&mut self`, or call a method \
+                                       `fn(&self)` in each transition";
 pub(crate) const RATE_IN_CONDITION: &str =
     "a transition cannot modulate a rate: move this argument to a state, or to an `#[entry]` or `#[exit]` hook";
 pub(crate) const AGE_OF_WHAT: &str = "an age is the time since a component ran last: write `&Age<Child>`";
@@ -241,7 +242,8 @@ messages! {
     rate(of) = "a rate is modulated, not read: write `&mut Rate<{of}>`";
     owned(written) = "a component is borrowed: write `&{written}` to read it or `&mut {written}` to modulate it";
     owned_condition(written) = "a component is borrowed: write `&{written}`";
-    owned_entry(written) = "write `Found<{written}>` to take what a transition found, or borrow a component: `&{written}` or `&mut {written}`";
+    owned_entry(written) = "write `Found<{written}>` to take what a transition found, or borrow a component: `&{written}` \
+                            or `&mut {written}`";
     owned_time(written) = "the time is borrowed: write `&{written}`";
     age(written) = "an age can only be read: write `&{written}`";
     owned_age(written) = "an age is borrowed: write `&{written}`";

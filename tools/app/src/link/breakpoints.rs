@@ -8,14 +8,18 @@ use bica_wire::model::{Description, Invalid};
 
 use crate::console::Failure;
 
-/// Reads a file with a state or a transition on each line, as `Player.kick`. `#` begins a comment.
+/// Reads a file with a state or a transition on each line, as `Lamp.lit`. `#` begins a comment.
 ///
 /// # Errors
 /// If the file cannot be read, has no breakpoint, or names what the tree does not have.
 pub(super) fn read(file: &Path, tree: &Description) -> Result<Vec<Stop>, Failure> {
     let shown = file.display();
     let failed = |error| Failure::new(format!("{shown} cannot be read: {error}"), "give a file of breakpoints");
-    let text = fs::read_to_string(file).map_err(failed)?;
+    parse(&fs::read_to_string(file).map_err(failed)?, tree, &shown.to_string()).map_err(Failure::from)
+}
+
+/// Reads the text of a file that is shown by this name.
+fn parse(text: &str, tree: &Description, shown: &str) -> Result<Vec<Stop>, Invalid> {
     let mut stops = Vec::new();
     for (number, line) in text.lines().enumerate() {
         let place = line.split('#').next().unwrap_or_default().trim();
@@ -25,15 +29,17 @@ pub(super) fn read(file: &Path, tree: &Description) -> Result<Vec<Stop>, Failure
         }
     }
     if stops.is_empty() {
-        return Err(Failure::new(format!("{shown} has no breakpoint"), "write one on each line, as `Player.kick`"));
+        return Err(Invalid::new(
+            format!("{shown} has no breakpoint"),
+            "write COMPONENT.STATE or COMPONENT.TRANSITION on each line",
+        ));
     }
     Ok(stops)
 }
 
 /// Returns a breakpoint at a state, or one for each transition of a name.
 fn find(place: &str, tree: &Description) -> Result<Vec<Stop>, Invalid> {
-    let form =
-        || Invalid::new(format!("`{place}` is no breakpoint"), "write a component and its state, as `Player.kick`");
+    let form = || Invalid::new(format!("`{place}` is no breakpoint"), "write COMPONENT.STATE or COMPONENT.TRANSITION");
     let (component, name) = place.split_once('.').ok_or_else(form)?;
     let index = tree.component(component.trim())?;
     let (component, name) = (&tree.components[index], name.trim());
@@ -51,4 +57,35 @@ fn find(place: &str, tree: &Description) -> Result<Vec<Stop>, Invalid> {
         what,
         if names.is_empty() { "it is no state machine".to_owned() } else { format!("it has {}", names.join(", ")) },
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use bica_wire::model::{Component, State, Transition};
+
+    use super::*;
+
+    #[test]
+    fn breakpoints_are_states_and_all_transitions_of_a_name() {
+        let state = |name: &str| State { name: name.to_owned(), ..State::default() };
+        let transition = |from, to| Transition { name: "pressed".to_owned(), from, to, ..Transition::default() };
+        let states = ["dark", "lit"].map(state).to_vec();
+        let transitions = vec![transition(0, 1), transition(1, 0)];
+        let lamp = Component { name: "Lamp".to_owned(), states, transitions, ..Component::default() };
+        let motor = Component { name: "Motor".to_owned(), ..Component::default() };
+        let tree = Description { components: vec![motor, lamp], ..Description::default() };
+        let stop = |at| Stop { component: 1, at, pauses: true };
+        let found = parse("# both\n Lamp.lit # a state\n\nLamp . pressed\n", &tree, "f").expect("a file");
+        let expected = [StopAt::State(1), StopAt::Transition(0), StopAt::Transition(1)].map(stop);
+        assert_eq!(found, expected);
+        for (text, error) in [
+            ("Lamp.lot", "f:1: `Lamp` has no state and no transition `lot`"),
+            ("Lamp.lit\nLump.lit", "f:2: there is no component `Lump`"),
+            ("Motor.on", "f:1: `Motor` has no state and no transition `on`"),
+            ("lit", "f:1: `lit` is no breakpoint"),
+            ("# none", "f has no breakpoint"),
+        ] {
+            assert_eq!(parse(text, &tree, "f").expect_err(text).what, error);
+        }
+    }
 }

@@ -27,7 +27,7 @@ pub struct ServeArgs {
     /// Begin with the world paused, until a monitor lets it go on
     #[arg(long, requires = "serve")]
     pub paused: bool,
-    /// Pause the world at the breakpoints of a file: on each line a state or a transition, as `Player.kick`
+    /// Pause the world at the breakpoints of a file: on each line COMPONENT.STATE or COMPONENT.TRANSITION
     #[arg(long, value_name = "FILE", requires = "serve")]
     pub breakpoints: Option<PathBuf>,
     /// Make the robot a ROS 2 node, in real time

@@ -371,11 +371,29 @@ fn world_pauses_at_a_stop_unless_leased(way: Way) {
     session.run(20);
 }
 
+fn world_pauses_at_a_breakpoint_of_its_program(way: Way) {
+    let stops = [StopAt::State(1), StopAt::Transition(1)].map(|at| Stop { component: 0, at, pauses: true });
+    let session = Session::start_with_breakpoints(way, stops.to_vec());
+    // Nobody watches anything: the pause and the line of the log need no monitor's stop, and no lease stands against them.
+    let mut operator = session.client();
+    operator.acquire(false).unwrap();
+    for (distance, expected) in
+        [(0.1, "breakpoint: Cart is in `wait`"), (3.0, "breakpoint: Cart takes `is_far` from `wait` to `approach`")]
+    {
+        operator.request(placed(&[Value::F32(distance)])).unwrap();
+        let time_us = next!(&mut operator, expected, Event::Log { time_us, text, .. } if text == expected => time_us);
+        next!(&mut operator, "the pause", Event::World(WorldState { paused: true, .. }) => ());
+        assert_eq!(session.cycles(), time_us / CYCLE_US + 1, "{expected}");
+        operator.change_world(WorldChange::Resume).unwrap();
+    }
+}
+
 over_ways! { memory tcp serial:
     time_stops_only_for_a_world_s_operator, conditions_and_truth_are_of_their_cycle, costs_have_the_runs_of_their_window
 }
 over_ways! { memory tcp:
     paused_world_applies_requests_and_counts_steps, monitor_gets_all_of_a_paused_world_s_last_cycle,
     the_operator_is_silent_in_a_paused_world_too, attached_monitor_gets_scenery_result_and_items,
-    monitor_gets_the_newest_image_next, world_pauses_at_a_stop_unless_leased
+    monitor_gets_the_newest_image_next, world_pauses_at_a_stop_unless_leased,
+    world_pauses_at_a_breakpoint_of_its_program
 }

@@ -12,7 +12,7 @@ use bica::{Blob, Format, Probe, Value, world_actions};
 use bica_link::{
     Address, Answered, Client, ClientOptions, Error, Event, LinkServer, LinkStats, Memory, ServerOptions, Snapshot,
 };
-use bica_wire::message::{Offers, RefusalCode, WorldChange};
+use bica_wire::message::{Offers, RefusalCode, Stop, WorldChange};
 
 use crate::robot::CartTree;
 
@@ -219,15 +219,24 @@ impl Session {
 
     /// Starts a simulated world, which can be paused, with images in every cycle.
     pub(crate) fn start_world(way: Way) -> Self {
-        let (offers, actions) = (Offers::PAUSE, Wall::new().list());
-        Self::serve(way, ServerOptions { silence: LONG, offers, actions, ..ServerOptions::default() })
+        Self::start_with_breakpoints(way, Vec::new())
     }
 
     pub(crate) fn start_with(way: Way, silence: Duration) -> Self {
         Self::serve(way, ServerOptions { silence, ..ServerOptions::default() })
     }
 
+    /// Starts a simulated world whose program has breakpoints.
+    pub(crate) fn start_with_breakpoints(way: Way, stops: Vec<Stop>) -> Self {
+        let (offers, actions) = (Offers::PAUSE, Wall::new().list());
+        Self::serve_with(way, ServerOptions { silence: LONG, offers, actions, ..ServerOptions::default() }, stops)
+    }
+
     pub(crate) fn serve(way: Way, options: ServerOptions) -> Self {
+        Self::serve_with(way, options, Vec::new())
+    }
+
+    fn serve_with(way: Way, options: ServerOptions, stops: Vec<Stop>) -> Self {
         let (address, monitors) = way.ends();
         let is_world = options.offers.contains(Offers::PAUSE);
         let started = if is_world {
@@ -235,7 +244,8 @@ impl Session {
         } else {
             LinkServer::start::<CartTree>(&address, options)
         };
-        let (server, requests, observer) = started.expect("the server starts");
+        let (server, mut requests, observer) = started.expect("the server starts");
+        requests.break_at(stops);
         let monitors = monitors.unwrap_or_else(|| server.address().parse().unwrap());
         let shared = Arc::<Shared>::default();
         let counter = Counter { shared: Arc::clone(&shared), this_cycle: 0 };

@@ -12,24 +12,24 @@ use super::teams::Teams;
 #[derive(Default)]
 pub(super) struct Assistants {
     fouls: Fouls,
-    /// Whether each player was penalized in the last cycle.
-    penalized: Vec<bool>,
+    /// Whether each player was carried to the side line since it was penalized.
+    is_outside: Vec<bool>,
     /// Number of players that were carried to the side line.
     pub(super) carried: u32,
 }
 
 impl Assistants {
-    /// Carries each player that is newly penalized to the side line of its own half, if there is room.
+    /// Carries each player that is penalized to the side line of its own half, as soon as there is room.
     pub(super) fn carry<N: Network>(&mut self, teams: &mut Teams<N>) {
-        self.penalized.resize(teams.players.len(), false);
-        for (index, before) in self.penalized.iter_mut().enumerate() {
-            let now = is_penalized(teams, index);
-            let is_new = now && !std::mem::replace(before, now);
-            *before = now;
+        self.is_outside.resize(teams.players.len(), false);
+        for (index, is_outside) in self.is_outside.iter_mut().enumerate() {
+            let is_due = is_penalized(teams, index) && !*is_outside;
+            *is_outside &= is_penalized(teams, index);
             let truth = teams.field.truth(index);
             let others = truth.others().iter().map(|other| other.position);
-            if let Some(at) = return_pose(truth.ball(), &others).filter(|_| is_new) {
-                self.carried += u32::from(teams.field.put_robot(index, at).is_ok());
+            if let Some(at) = return_pose(truth.ball(), &others).filter(|_| is_due) {
+                *is_outside = teams.field.put_robot(index, at).is_ok();
+                self.carried += u32::from(*is_outside);
             }
         }
     }

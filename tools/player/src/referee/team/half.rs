@@ -1,6 +1,6 @@
 //! A half in simulated time, under the commands of a small `GameController`.
 
-use bica_app::Failure;
+use bica_app::{Failure, interrupt};
 use bica_player::referee::packet::{Penalty, PlayState, Version};
 use bica_player::referee::{Identity, Received};
 use bica_tuning::Layers;
@@ -52,7 +52,9 @@ impl Half {
         let robots = robots.collect::<Result<Vec<_>, Failure>>()?;
         let mut game = Game::new(numbers, players, Version::V20, 0.0);
         let first = numbers[(seed % 2) as usize];
-        order(&mut game, Command::Clock(args.seconds.unwrap_or(600.0) as i16))?;
+        if let Some(seconds) = args.seconds {
+            order(&mut game, Command::Clock(seconds as i16))?;
+        }
         order(&mut game, Command::State(PlayState::Ready, Some(first)))?;
         let tally = Tally::new(usize::from(players), field.robots());
         Ok(Self {
@@ -68,12 +70,15 @@ impl Half {
         })
     }
 
-    /// Plays the half; returns its figures.
-    pub(super) fn play(mut self) -> Result<Tally, Failure> {
+    /// Plays the half; returns its figures, or `None` if the end was requested before its end.
+    pub(super) fn play(mut self) -> Result<Option<Tally>, Failure> {
         while self.game.clock() > 0.0 {
+            if interrupt::requested() {
+                return Ok(None);
+            }
             self.cycle()?;
         }
-        Ok(self.tally)
+        Ok(Some(self.tally))
     }
 
     fn cycle(&mut self) -> Result<(), Failure> {

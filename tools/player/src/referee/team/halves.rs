@@ -18,11 +18,13 @@ pub(super) fn run(args: &Play, teams: [u8; 2], games: u32) -> Result<Outcome, Fa
     print_in_force(console, &in_force(&layers))?;
     let batch = Batch::new(args.seed, games, args.threads);
     let (progress, played) = (Progress::new(batch.runs.into()), AtomicU64::new(0));
-    let halves: Vec<Tally> = batch.run(|seed| {
+    let halves = batch.run(|seed| {
         let half = Half::new(args, teams, seed, &layers)?.play()?;
         progress.show(played.fetch_add(1, Ordering::Relaxed) + 1, "halves");
         Ok(half)
     })?;
+    // Halves that Ctrl-C has cut short do not count.
+    let halves: Vec<Tally> = halves.into_iter().flatten().collect();
     let figures = Figures::new(args, teams, halves);
     figures.print(console)?;
     console.print_json(&figures)?;

@@ -21,6 +21,9 @@ use bica_app::{Failure, Outcome};
 use super::play::refuse_other_network;
 use crate::cli::Play;
 
+/// Longest duration of a half, s.
+const LONGEST: f64 = i16::MAX as f64;
+
 /// Plays a match in real time, or with `--games` a series of halves in simulated time.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     let Some(teams) = args.referee.teams else {
@@ -44,6 +47,10 @@ fn refuse(args: &Play) -> Result<(), Failure> {
     if args.games.is_none() && args.referee.idle {
         let what = "--idle belongs to a series of halves, and this match follows a GameController";
         return Err(Failure::new(what, "give --games N, too, or leave out --idle"));
+    }
+    if args.games.is_some() && args.seconds.is_some_and(|seconds| !(1.0..=LONGEST).contains(&seconds)) {
+        let what = "a half lasts 1 to 32767 s, as in the packets of a GameController";
+        return Err(Failure::new(what, "give other --seconds, or leave it out for 600"));
     }
     if args.games.is_some() && args.referee.truth.is_some() {
         let what = "--truth belongs to a match in real time, and a series of halves has its own clock";
