@@ -17,10 +17,11 @@ PROGRAMS = ROOT / "target/peers/release"
 DESIGNS = [
     "BICA", "BICA, timed", "copper-rs (always timed)", "copper-rs, clock mocked", "by hand", "by hand, inlined", "by hand, timed",
     "Box<dyn Component>", "Box<dyn Component>, timed", "blackboard, callbacks", "blackboard, channels", "statig", "smlang",
+    "bonsai-bt",
 ]
-BICA, TIMED, COPPER, _, BY_HAND, _, _, BOXED, _, CALLBACKS, CHANNELS, STATIG, SMLANG = DESIGNS
-CHAIN_3, CHAIN_10, CHAIN_100, DIAMOND, MACHINE, FORWARD = EMPTY = [
-    "chain of 3", "chain of 10", "chain of 100", "diamond", "machine of 5", "tree of 25",
+BICA, TIMED, COPPER, _, BY_HAND, _, _, BOXED, _, CALLBACKS, CHANNELS, STATIG, SMLANG, BONSAI = DESIGNS
+CHAIN_3, CHAIN_10, CHAIN_100, DIAMOND, MACHINE, FORWARD, SEQUENCE, FALLBACK = EMPTY = [
+    "chain of 3", "chain of 10", "chain of 100", "diamond", "machine of 5", "tree of 25", "sequence of 10", "fallback of 10",
 ]
 SIZED_CHAIN, SIZED_MACHINE, SIZED_FORWARD = SIZED = [f"{workload}, 20 ns" for workload in (CHAIN_10, MACHINE, FORWARD)]
 TREE_10, TREE_100, ACTIVE, LATENT = GROWING = ["10 in a tree", "100 in a tree", "10 of 10 active", "10 of 100 active"]
@@ -37,6 +38,8 @@ SIZES = {
     "size-channels": (CHANNELS, CHAIN_10),
     "size-statig": (STATIG, MACHINE),
     "size-smlang": (SMLANG, MACHINE),
+    "size-bica-sequence": (BICA, SEQUENCE),
+    "size-bonsai": (BONSAI, SEQUENCE),
 }
 
 # Least accepted time of boxed components, as a multiple of BICA's.
@@ -80,6 +83,8 @@ def judge(figures):
     compare("least", 2, CHAIN_10, COPPER, TIMED)
     compare("least", 20, CHAIN_10, CALLBACKS, BICA)
     compare("least", 20, CHAIN_10, CHANNELS, BICA)
+    compare("least", 4, SEQUENCE, BONSAI, BICA)
+    compare("least", 10, FALLBACK, BONSAI, BICA)
     # In wide trees, as robots have them.
     ratio = figures.ratio((BICA, TREE_100), (BICA, TREE_10))
     within(ratio and ratio / 10, 0.15, "BICA: a component costs the same in a tree of 100 and in a tree of 10")

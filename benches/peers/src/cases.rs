@@ -4,6 +4,7 @@ use std::hint::black_box;
 
 use bica::{Probe, Stopwatch};
 
+use crate::behavior_tree::{self, Bonsai};
 use crate::boxed::Boxed;
 use crate::callbacks::Callbacks;
 use crate::case::Case;
@@ -21,7 +22,7 @@ struct SlowProbe<const N: usize>;
 
 impl<const N: usize> Probe for SlowProbe<N> {
     fn cycle_end(&mut self) {
-        for iteration in 0..N * N * 4 + 60 {
+        for iteration in 0..N * N * 4 + 400 {
             black_box(iteration);
         }
     }
@@ -101,6 +102,7 @@ pub fn all(slow: bool) -> Result<Vec<Case>, String> {
     graph!(sized cases, "chain of 10, 20 ns": Chain10 of 10, Chain<10>, &chain::<10>());
     graph!(sized cases, "tree of 25, 20 ns": Forward of 25, Forward, &FORWARD);
     machines(&mut cases);
+    leaves(&mut cases);
     cases.bica::<framework::Tree10, 10, true>("10 in a tree");
     cases.bica::<framework::Tree100, 100, true>("100 in a tree");
     cases.bica::<framework::Active, 10, true>("10 of 10 active");
@@ -121,6 +123,16 @@ fn machines(cases: &mut Cases) {
     cases.add::<true>("by hand", sized, ByHand::new(()));
     cases.add::<true>("statig", sized, Statig::new());
     cases.add::<true>("smlang", sized, Smlang::new());
+}
+
+fn leaves(cases: &mut Cases) {
+    let (sequence, fallback) = ("sequence of 10", "fallback of 10");
+    cases.bica::<framework::Sequence, 1, false>(sequence);
+    cases.add::<false>("by hand", sequence, behavior_tree::ByHand::<true>::new());
+    cases.add::<false>("bonsai-bt", sequence, Bonsai::<true>::new());
+    cases.bica::<framework::Fallback, 1, false>(fallback);
+    cases.add::<false>("by hand", fallback, behavior_tree::ByHand::<false>::new());
+    cases.add::<false>("bonsai-bt", fallback, Bonsai::<false>::new());
 }
 
 #[cfg(test)]

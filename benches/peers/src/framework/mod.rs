@@ -1,5 +1,6 @@
 //! Trees of BICA.
 
+mod behavior_tree;
 mod chain;
 mod diamond;
 mod forward;
@@ -11,6 +12,7 @@ use bica::{Instant, Probe, Tree};
 
 use crate::subject::Subject;
 
+pub use behavior_tree::{Fallback, Sequence};
 pub use chain::{Chain3, Chain10, Chain100};
 pub use diamond::Diamond;
 pub use forward::Forward;
