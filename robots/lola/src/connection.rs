@@ -77,8 +77,18 @@ impl Connection {
         self.buffer.next_map().map_or(Event::Silence, event)
     }
 
-    /// Whether a further valid map was received already: the program is late.
-    pub(crate) fn is_late(&self) -> bool {
+    /// Whether the next valid map was received already.
+    pub(crate) fn has_next(&mut self) -> bool {
+        let mut bytes = [0; 8192];
+        // What fails here fails again when the next map is waited for.
+        if let Some(stream) = &mut self.stream
+            && stream.set_nonblocking(true).is_ok()
+        {
+            if let Ok(count) = stream.read(&mut bytes) {
+                self.buffer.push(&bytes[..count]);
+            }
+            _ = stream.set_nonblocking(false);
+        }
         self.buffer.has_map()
     }
 

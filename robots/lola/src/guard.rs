@@ -7,6 +7,7 @@ use std::os::unix::net::UnixStream;
 use std::os::unix::process::CommandExt;
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
@@ -16,10 +17,11 @@ use bica_motion::joints::{Joint, Joints};
 use crate::actuator_map::ActuatorMap;
 use crate::buffer::{Found, MapBuffer};
 use crate::connection::{Connection, SEND, is_idle};
+use crate::driver::Driver;
 use crate::limiter::Limiter;
+use crate::options::Options;
 use crate::posture::is_in_leg;
 use crate::sensor_map::SensorMap;
-use crate::world::LolaWorld;
 
 /// Longest wait for bytes of the robot, after which the guard looks whether the program is still there.
 const WAIT: Duration = Duration::from_millis(20);
@@ -71,7 +73,18 @@ pub fn guard(socket: PathBuf, say: fn(&str)) -> io::Result<()> {
         let limiter = Limiter::after(targets, stiffness);
         let connection = Connection::taken_over(socket, relay.robot, relay.buffer);
         let (map, unanswered) = (relay.map.unwrap_or_default(), relay.maps.saturating_sub(count));
-        drop(LolaWorld::taken_over(connection, limiter, &map, unanswered, say));
+        let options = Options {
+            socket: connection.path().to_owned(),
+            frames: None,
+            guard: None,
+            limit: None,
+            stop: Box::new(|| false),
+            say,
+            halt: |_, _, _| (),
+            standing: Arc::default(),
+        };
+        let nobody = (channel().0, channel().1);
+        Driver::new(options, connection, None, nobody).take_over(limiter, &map, unanswered);
     }
     Ok(())
 }

@@ -4,6 +4,10 @@ mod actuator_map;
 mod buffer;
 #[cfg(unix)]
 mod connection;
+#[cfg(unix)]
+mod cycle;
+#[cfg(unix)]
+mod driver;
 mod ending;
 #[cfg(unix)]
 mod frames;
@@ -13,6 +17,8 @@ mod limiter;
 mod mistake;
 #[cfg(unix)]
 mod options;
+#[cfg(unix)]
+mod pace;
 mod phase;
 mod posture;
 mod reader;

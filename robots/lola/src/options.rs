@@ -1,11 +1,13 @@
 //! What a run is given, and how it stands.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::{Arc, Mutex};
 
 use bica_motion::robot::{Buttons, Command};
 
+use crate::CYCLE_MICROS;
 use crate::ending::Reason;
 
 /// Where the robot is, and how it is ended.
@@ -39,10 +41,26 @@ pub struct Standing {
     pub rejected: u64,
     /// Number of times that the socket was opened.
     pub opened: u64,
-    /// Number of maps that were answered with the last targets because the robot program was late.
+    /// Number of maps that were answered with the newest targets because the robot program was late.
     pub late: u64,
     /// Why the run ended.
     pub reason: Option<Reason>,
     /// Whether the robot sat or lay when its joints became limp.
     pub is_low: bool,
+}
+
+impl Standing {
+    /// Time of the robot, s: that of its maps.
+    #[must_use]
+    pub fn seconds(&self) -> f64 {
+        (self.maps * CYCLE_MICROS) as f64 * 1e-6
+    }
+}
+
+impl fmt::Display for Standing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { maps, rejected, opened, late, reason, .. } = self;
+        write!(f, "{maps} maps, {late} of them late, {rejected} not used; the socket was opened {opened} times")?;
+        reason.map_or(Ok(()), |reason| write!(f, "; {reason}"))
+    }
 }

@@ -3,10 +3,10 @@
 //! A thread reads them, so that no image delays the answer to a sensor map. Of each camera only the newest images are kept.
 
 mod header;
+mod images;
 mod mailbox;
-mod receiver;
+mod source;
 
 pub use header::Header;
+pub(crate) use images::Images;
 pub use mailbox::Frame;
-pub(crate) use mailbox::Mailbox;
-pub(crate) use receiver::Receiver;

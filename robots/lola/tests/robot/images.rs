@@ -3,7 +3,6 @@
 use std::io::Write;
 use std::os::unix::net::UnixListener;
 use std::sync::atomic::{AtomicU32, Ordering};
-use std::time::Duration;
 
 use bica_lola::LolaWorld;
 use bica_motion::model::NAO;
@@ -33,14 +32,17 @@ fn images_of_the_selected_camera_arrive_once() {
         // The socket is there late, and is closed between the rounds.
         let listener = UnixListener::bind(&path).expect("a socket");
         let (mut frames, _) = listener.accept().expect("the driver connects");
-        let number = RISE as u32 + 50 * round;
-        for camera in [CameraId::Top, CameraId::Bottom] {
-            frames.write_all(&frame(camera, number, 10 + round as u8)).expect("the driver reads");
+        for image in 0..20 {
+            let number = RISE as u32 + 40 * round + 2 * image;
+            for camera in [CameraId::Top, CameraId::Bottom] {
+                frames.write_all(&frame(camera, number, 10 + image as u8)).expect("the driver reads");
+            }
+            // A robot in step gets an answer with all images that it has sent before.
+            robot.cycles(1);
+            let seen = [0, 1].map(|index: usize| SEEN[index].load(Ordering::Relaxed));
+            assert_eq!(seen, [20 * round + image + 1, 10 + image]);
+            robot.cycles(1);
         }
-        std::thread::sleep(Duration::from_millis(100));
-        robot.cycles(50);
-        let seen = [0, 1].map(|index: usize| SEEN[index].load(Ordering::Relaxed));
-        assert_eq!(seen, [round + 1, 10 + round]);
         drop((frames, listener));
         std::fs::remove_file(&path).expect("the socket");
     }

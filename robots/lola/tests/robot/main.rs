@@ -6,4 +6,5 @@ mod encoding;
 mod ends;
 mod faults;
 mod images;
+mod pace;
 mod stand_in;

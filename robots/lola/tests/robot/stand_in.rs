@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use bica_lola::{ActuatorMap, LolaWorld, Options, SensorMap, Standing, Undecoded};
 use bica_motion::joints::{Joint, Joints};
@@ -16,6 +16,8 @@ use bica_motion::robot::{CameraId, Command};
 
 /// Longest wait for an answer.
 const WAIT: Duration = Duration::from_secs(5);
+/// Time from map to map in real time.
+const CYCLE: Duration = Duration::from_millis(12);
 /// Maps in which the driver lets the robot stand up.
 pub(crate) const RISE: usize = 230;
 
@@ -27,6 +29,8 @@ pub(crate) struct StandIn {
     folder: PathBuf,
     listener: UnixListener,
     stream: UnixStream,
+    /// What was received and is no whole answer yet.
+    bytes: Vec<u8>,
     pub(crate) map: SensorMap,
     /// Targets and stiffness of the last answer.
     pub(crate) last: Option<(Joints, Joints)>,
@@ -84,7 +88,7 @@ impl StandIn {
             position,
             ..SensorMap::default()
         };
-        Self { folder, listener, stream, map, last: None, stop, standing, driver: Some(driver) }
+        Self { folder, listener, stream, bytes: Vec::new(), map, last: None, stop, standing, driver: Some(driver) }
     }
 
     /// Folder of the sockets.
@@ -115,15 +119,36 @@ impl StandIn {
         }
     }
 
+    /// Runs this number of cycles in real time: maps are sent every 12 ms whether or not the last one is answered.
+    pub(crate) fn cycles_in_real_time(&mut self, count: u32) {
+        let (start, mut answers) = (Instant::now(), 0);
+        for number in 0..count {
+            let next = start + (number + 1) * CYCLE;
+            self.send(&self.map.encode());
+            while let Some(left) = next.checked_duration_since(Instant::now()).filter(|left| !left.is_zero()) {
+                self.stream.set_read_timeout(Some(left)).expect("a time");
+                answers += u32::from(self.try_answer().expect("an open socket"));
+            }
+        }
+        self.stream.set_read_timeout(Some(WAIT)).expect("a time");
+        (answers..count).for_each(|_| self.answer().expect("an answer"));
+    }
+
     /// Takes an answer; `None` if the driver has closed the socket.
     pub(crate) fn answer(&mut self) -> Option<()> {
-        let mut bytes = Vec::new();
+        let is_answered = self.try_answer()?;
+        assert!(is_answered, "no answer");
+        Some(())
+    }
+
+    /// Waits for an answer, and takes it; `None` if the driver has closed the socket.
+    fn try_answer(&mut self) -> Option<bool> {
         loop {
-            match ActuatorMap::decode(&bytes) {
+            match ActuatorMap::decode(&self.bytes) {
                 Ok((targets, stiffness, size)) => {
-                    assert_eq!(size, bytes.len(), "more than one answer");
+                    self.bytes.drain(..size);
                     self.execute(targets.expect("targets"), stiffness.expect("stiffness"));
-                    return Some(());
+                    return Some(true);
                 }
                 Err(Undecoded::Wrong(mistake)) => panic!("the answer is no map: {mistake}"),
                 Err(Undecoded::Incomplete) => {}
@@ -131,9 +156,12 @@ impl StandIn {
             let mut more = [0; 4096];
             match self.stream.read(&mut more) {
                 Ok(0) => return None,
-                Ok(count) => bytes.extend_from_slice(&more[..count]),
+                Ok(count) => self.bytes.extend_from_slice(&more[..count]),
                 Err(error) if error.kind() == ErrorKind::ConnectionReset => return None,
-                Err(error) => panic!("no answer: {error}"),
+                Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
+                    return Some(false);
+                }
+                Err(error) => panic!("the driver cannot be read: {error}"),
             }
         }
     }
@@ -170,14 +198,20 @@ impl StandIn {
         self.stream.set_read_timeout(Some(Duration::from_millis(100))).expect("a time");
         let result = self.stream.read(&mut [0; 64]);
         self.stream.set_read_timeout(Some(WAIT)).expect("a time");
-        result.is_err_and(|error| matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut))
+        self.bytes.is_empty()
+            && result.is_err_and(|error| matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut))
     }
 
     /// Closes the socket, and takes the next connection.
     pub(crate) fn restart(&mut self) {
         _ = self.stream.shutdown(std::net::Shutdown::Both);
         self.stream = accept(&self.listener);
-        self.last = None;
+        (self.bytes, self.last) = (Vec::new(), None);
+    }
+
+    /// Number of maps whose answer was not the command of the program.
+    pub(crate) fn late(&self) -> u64 {
+        self.standing.lock().unwrap_or_else(PoisonError::into_inner).late
     }
 
     /// Runs until the driver closes the socket; returns the number of cycles, and how its run went.
