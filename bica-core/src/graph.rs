@@ -61,8 +61,10 @@ impl Graph {
 /// One component of a tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
-    /// The component's type as the tree lists it.
+    /// The name that the tree gives it, or its type as the tree lists it.
     pub name: &'static str,
+    /// Its type as the tree lists it, if the tree gives it another name.
+    pub kind: Option<&'static str>,
     /// The component's doc comment.
     pub doc: &'static str,
     /// Declared rate, runs per second; `None` is a run in every cycle.
@@ -104,6 +106,7 @@ impl Node {
     pub const fn new(name: &'static str) -> Self {
         Self {
             name,
+            kind: None,
             doc: "",
             hz: None,
             budget_us: None,
@@ -117,6 +120,12 @@ impl Node {
             modulations: &[],
             work: None,
         }
+    }
+
+    /// Returns the component's type as the tree lists it.
+    #[must_use]
+    pub fn type_name(&self) -> &'static str {
+        self.kind.unwrap_or(self.name)
     }
 
     /// Returns the type of what a state takes from the transitions that enter it, as in the source text; `None` if it takes nothing.

@@ -157,8 +157,8 @@ pub trait Lists<const INDEX: usize> {
 
 /// Returns the node of `C` in tree `T`, under the name that the list gives it.
 #[must_use]
-pub const fn node<T: Has<C>, C: 'static>(name: &'static str) -> Node {
-    Node { name, ..<T::Member as MemberOf<T>>::NODE }
+pub const fn node<T: Has<C>, C: 'static>(name: &'static str, kind: Option<&'static str>) -> Node {
+    Node { name, kind, ..<T::Member as MemberOf<T>>::NODE }
 }
 
 /// Returns the components whose rates the functions of `C` borrow.

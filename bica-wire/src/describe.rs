@@ -37,6 +37,8 @@ pub const fn describe(graph: &Graph) -> GraphItems<'_> {
         #[cfg(feature = "std")]
         roles: (Roles::NONE, 0),
         #[cfg(feature = "std")]
+        kind: None,
+        #[cfg(feature = "std")]
         work: None,
         #[cfg(feature = "std")]
         actions: &[],
@@ -65,6 +67,9 @@ pub struct GraphItems<'g> {
     /// Roles of the last link, and the index among the tree's roles from which the search for the next one continues.
     #[cfg(feature = "std")]
     roles: (Roles, usize),
+    /// Type of the last component.
+    #[cfg(feature = "std")]
+    kind: Option<&'static str>,
     /// Function of the last component that runs beside the loop.
     #[cfg(feature = "std")]
     work: Option<&'static WorkFunction>,
@@ -180,6 +185,10 @@ impl GraphItems<'_> {
             return Some(role);
         }
         #[cfg(feature = "std")]
+        if let Some(kind) = self.kind.take() {
+            return Some(GraphItem::Kind { name: truncate(kind, TYPE_BYTES) });
+        }
+        #[cfg(feature = "std")]
         if let Some(&WorkFunction { name, doc, takes_ms, slices, result }) = self.work.take() {
             self.doc = doc;
             return Some(GraphItem::Work { name, takes_ms, slices, result: truncate(result, TYPE_BYTES) });
@@ -227,7 +236,7 @@ impl GraphItems<'_> {
                 self.doc = node.doc;
                 #[cfg(feature = "std")]
                 {
-                    self.work = node.work;
+                    (self.kind, self.work) = (node.kind, node.work);
                 }
                 let root = self.graph.root == self.index;
                 return Some(GraphItem::Component { index, name, hz, budget_us, root, resume });

@@ -6,10 +6,11 @@ use super::Arrow;
 use crate::check::{Writers, writers};
 use crate::graph::{Graph, Node, Roles, Transition};
 
-/// Rate, budget and writers: `30 Hz · 40 µs · written by Avoid, then Follow; in force: Avoid`.
+/// Type of a component with a name, rate, budget and writers: `Leg<0> · 30 Hz · 40 µs · written by Avoid, then Follow; in force: Avoid`.
 pub(super) fn figures(graph: &Graph, index: usize) -> impl Display {
     from_fn(move |f| {
         let node = &graph.nodes[index];
+        node.kind.map_or(Ok(()), |kind| write!(f, "{kind} · "))?;
         match node.hz {
             Some(hz) => write!(f, "{hz} Hz")?,
             None => f.write_str("every cycle")?,

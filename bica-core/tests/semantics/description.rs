@@ -96,3 +96,40 @@ fn generic_components_are_listed_as_written() {
     let names: Vec<_> = super::borrows::Cells::GRAPH.nodes.iter().map(|node| node.name).collect();
     assert_eq!(names, ["Sum<1>", "Cell<0>", "Cell<1>", "Cell<2>", "Cell<3>"]);
 }
+
+pub(crate) struct Leg<const SIDE: usize>(f32);
+
+#[component(crate = bica_core)]
+impl<const SIDE: usize> Leg<SIDE> {
+    const fn new() -> Self {
+        Self(0.3)
+    }
+}
+
+pub(crate) struct Walk;
+
+#[component(crate = bica_core)]
+impl Walk {
+    const fn new() -> Self {
+        Self
+    }
+
+    fn step(&mut self, left: &mut Leg<0>, right: &mut Leg<1>) {}
+}
+
+activation_tree! {
+    pub(crate) struct Walker { root: Walk, cycle_hz: 50, components: [Walk, left = Leg<0>, right = Leg<1> = Leg(0.5)], crate: bica_core }
+}
+
+#[test]
+fn a_tree_names_several_of_a_kind() {
+    let named: Vec<_> = Walker::GRAPH.nodes.iter().map(|node| (node.name, node.kind, node.type_name())).collect();
+    let expected = [("Walk", None, "Walk"), ("left", Some("Leg<0>"), "Leg<0>"), ("right", Some("Leg<1>"), "Leg<1>")];
+    assert_eq!(named, expected);
+    let walker = Walker::new();
+    assert_eq!((Walker::find("right").ok(), walker.get::<Leg<1>>().0), (Some(Walker::id::<Leg<1>>()), 0.5));
+    let refused = Walker::find("Leg<0>").map_err(|refusal| refusal.to_string()).expect_err("the name is another one");
+    assert!(refused.contains("left") && refused.contains("right"), "{refused}");
+    let drawn = Walker::GRAPH.mermaid().to_string();
+    assert!(drawn.contains("left<br/>Leg#60;0#62; · every cycle"), "{drawn}");
+}

@@ -15,13 +15,13 @@ const FOLDER: &str = "BICA_COVERAGE";
 /// Distinguishes the tests of a process.
 static COUNT: AtomicUsize = AtomicUsize::new(0);
 
-/// Changes of all state machines; a file gets them when this is dropped. A line has time in µs, component and state, `-` while it is
+/// Changes of all state machines; a file gets them when this is dropped. A line has time in µs, type of the component and state, `-` while it is
 /// latent, between tabs. Each run ends with the present states.
 #[derive(Debug)]
 pub(super) struct Visits {
     path: PathBuf,
     now: Instant,
-    /// Name and state of each component.
+    /// Type and state of each component.
     present: Vec<(&'static str, Option<&'static str>)>,
     text: String,
 }
@@ -31,7 +31,7 @@ impl Visits {
     pub(super) fn wanted<T: Tree>() -> Option<Self> {
         let name = format!("{}-{}.states", process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
         let path = PathBuf::from(env::var_os(FOLDER)?).join(name);
-        let present = T::GRAPH.nodes.iter().map(|node| (node.name, None)).collect();
+        let present = T::GRAPH.nodes.iter().map(|node| (node.type_name(), None)).collect();
         Some(Self { path, now: Instant::MIN, present, text: String::new() })
     }
 

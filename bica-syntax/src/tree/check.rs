@@ -1,6 +1,7 @@
 //! The rules that the text of a tree can break.
 
 use proc_macro2::Ident;
+use quote::ToTokens;
 
 use super::model::{Draft, Entry, RoleEntry, Tree};
 use crate::report::Report;
@@ -65,15 +66,27 @@ fn roles(roles: &[RoleEntry], report: &mut Report) -> Vec<RoleEntry> {
     distinct
 }
 
-/// Each component once. Two paths to one type are left to the compiler.
+/// The message about a type that is listed a second time: who gives it a second name wants two components.
+fn twice(kind: &str, first: &Entry, second: &Entry) -> String {
+    if first.name.is_none() && second.name.is_none() {
+        return wording::listed_twice(kind);
+    }
+    wording::kind_listed_twice(kind, &first.label(), &second.label())
+}
+
+/// Each component and each name once. Two paths to one type are left to the compiler.
 fn distinct(components: &[Entry], tree: &Ident, report: &mut Report) -> Vec<Entry> {
     let mut distinct: Vec<Entry> = Vec::new();
     for entry in components {
-        let name = text::written(&entry.kind);
-        if name == text::name(tree) || name == "Self" {
+        let (kind, name) = (text::written(&entry.kind), entry.label());
+        let known =
+            |text: &dyn Fn(&Entry) -> String, of: &str| distinct.iter().find(|known| text(known) == of).cloned();
+        if kind == text::name(tree) || kind == "Self" {
             report.add(&entry.kind, wording::TREE_IN_ITSELF);
-        } else if distinct.iter().any(|known| text::written(&known.kind) == name) {
-            report.add(&entry.kind, wording::listed_twice(&name));
+        } else if let Some(first) = known(&|known| text::written(&known.kind), &kind) {
+            report.add(&entry.kind, twice(&kind, &first, entry));
+        } else if known(&Entry::label, &name).is_some() {
+            report.add(entry.name.to_token_stream(), wording::named_twice(&name));
         } else {
             distinct.push(entry.clone());
         }

@@ -6,6 +6,7 @@ use syn::parse::ParseStream;
 use syn::{Attribute, Expr, Path, Token, Type, braced, bracketed, token};
 
 use super::model::{Draft, Entry, RoleEntry};
+use super::names;
 use crate::code::Code;
 use crate::comma::comma;
 use crate::report::{Mistake, Report};
@@ -189,13 +190,20 @@ fn components(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn
 }
 
 fn entry(input: ParseStream) -> syn::Result<Entry> {
-    let kind = component(input)?;
+    let name = names::name(input)?;
+    let kind = component(input).map_err(|error| match &name {
+        Some(name) => syn::Error::new(error.span(), wording::named_component(&text::name(name))),
+        None => error,
+    })?;
     if input.peek(Token![:]) {
         return Err(input.error(wording::VALUE_SIGN));
     }
+    if name.is_none() {
+        names::is_type(input, &kind)?;
+    }
     let value = if input.parse::<Option<Token![=]>>()?.is_some() { Some(input.parse()?) } else { None };
     comma(input)?;
-    Ok(Entry { kind, value })
+    Ok(Entry { name, kind, value })
 }
 
 fn unknown(key: &Ident, written: &str) -> Mistake {

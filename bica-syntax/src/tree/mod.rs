@@ -3,4 +3,5 @@
 pub mod check;
 mod fields;
 pub mod model;
+mod names;
 pub mod parse;

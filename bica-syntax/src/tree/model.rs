@@ -73,8 +73,18 @@ pub struct RoleEntry {
 /// A component in the list.
 #[derive(Clone)]
 pub struct Entry {
+    /// Name in this tree, if it is not the type.
+    pub name: Option<Ident>,
     /// Type of the component.
     pub kind: Type,
     /// The initial value, if not `new()`.
     pub value: Option<Expr>,
+}
+
+impl Entry {
+    /// What tools call the component: its name in this tree, or the type as written.
+    #[must_use]
+    pub fn label(&self) -> String {
+        self.name.as_ref().map_or_else(|| text::written(&self.kind), text::name)
+    }
 }

@@ -13,6 +13,9 @@ pub(crate) const COMPONENT_TYPE: &str = "a component is listed by its type, whic
 pub(crate) const COMPONENT_VALUE: &str =
     "a component is listed by its type: write its name here; in `components` a value can follow, `Name = Name::new()`";
 pub(crate) const TREE_IN_ITSELF: &str = "the tree itself has this name: remove it here, or give the tree another name";
+pub(crate) const COMPONENT_NAME: &str =
+    "the name of a component is an identifier in small letters: write as in `left = Leg<0>`";
+pub(crate) const NAME_SIGN: &str = "the name of a component is followed by `=`: write as in `left = Leg<0>`";
 pub(crate) const VALUE_SIGN: &str = "an initial value follows `=`: write `Name = Name::new()`";
 pub(crate) const SEMICOLON: &str = "the fields of a tree end with a comma: write `,` in place of each `;`";
 pub(crate) const FIELD_NAME: &str =
@@ -36,5 +39,11 @@ messages! {
     colon(key) = "a colon follows the name of a field: `{key}: ...`";
     missing(key, example) = "the tree has no `{key}`: add `{key}: {example}`";
     role_listed_twice(role) = "the role `{role}` has a component already: remove one, because a tree has one for each role";
+    named_twice(name) = "another component of this tree is called `{name}`: give this one another name";
+    named_component(name) =
+        "`{name}` is the name of a component: its type follows, then perhaps a value, as in `{name} = Leg<0> = Leg::new()`";
+    small_name(name, kind) = "the name of a component begins with a small letter: write `{name} = {kind}`";
+    kind_listed_twice(kind, first, second) =
+        "`{first}` and `{second}` are both `{kind}`, but a tree has one instance of a type: give the type a parameter, as in `Leg<0>` and `Leg<1>`";
     listed_twice(component) = "`{component}` is listed twice, but a tree has one instance of a component: remove one";
 }

@@ -186,4 +186,9 @@ pub enum GraphItem<'a> {
         /// Type of the result, as in the source text.
         result: &'a str,
     },
+    /// The type of the last component, whose name is another one. A microcontroller sends none.
+    Kind {
+        /// The type as the tree lists it.
+        name: &'a str,
+    },
 }

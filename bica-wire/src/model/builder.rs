@@ -165,6 +165,10 @@ impl Builder {
                 let Last::Link(of) = self.last else { return None };
                 self.description.components.get_mut(of)?.links.last_mut()?.roles.push(name.to_owned());
             }
+            GraphItem::Kind { name } => {
+                let Last::Component(of) = self.last else { return None };
+                self.description.components.get_mut(of)?.kind = Some(name.to_owned());
+            }
             GraphItem::Work { name, takes_ms, slices, result } => {
                 let Last::Component(of) = self.last else { return None };
                 let (name, result) = (name.to_owned(), result.to_owned());

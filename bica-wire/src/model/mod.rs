@@ -60,6 +60,9 @@ pub struct Description {
 pub struct Component {
     /// Name.
     pub name: String,
+    /// Type as in the source text, if the name is another one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kind: Option<String>,
     /// Doc comment.
     pub doc: String,
     /// Declared rate, Hz; none: every cycle.
@@ -83,6 +86,14 @@ pub struct Component {
     /// Function that runs beside the loop.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub work: Option<Work>,
+}
+
+impl Component {
+    /// Returns the type as in the source text.
+    #[must_use]
+    pub fn type_name(&self) -> &str {
+        self.kind.as_deref().unwrap_or(&self.name)
+    }
 }
 
 /// A function that runs beside the loop.

@@ -87,6 +87,7 @@ static GRAPH: Graph = Graph {
                 carries: Some("Kick"),
                 ..Transition::new("wakes", 0, 1)
             }],
+            kind: Some("Neck<2>"),
             work: Some(&WorkFunction { name: "plan", doc: "Plans.", takes_ms: 200, slices: true, result: "Kick" }),
             ..Node::new("Head")
         },
@@ -105,6 +106,7 @@ fn graph_is_described_once_and_in_order() {
         doc("Two components."),
         GraphItem::Component { index: 0, name: "Eye", hz: None, budget_us: Some(5.0), root: false, resume: false },
         GraphItem::Component { index: 1, name: "Head", hz: Some(30.0), budget_us: None, root: true, resume: false },
+        GraphItem::Kind { name: "Neck<2>" },
         GraphItem::Work { name: "plan", takes_ms: 200, slices: true, result: "Kick" },
         doc("Plans."),
         GraphItem::Param { component: 0, index: 0, group: "Seeing", name: "gain", unit: Some("1/s"), kind, default },
@@ -175,7 +177,7 @@ fn graph_is_described_once_and_in_order() {
         GraphItem::Variant { name: "Left" },
         GraphItem::Variant { name: "Right" },
         doc("Of the robot."),
-        GraphItem::End { items: 33 },
+        GraphItem::End { items: 34 },
     ];
     assert_eq!(items, expected);
 }

@@ -6,7 +6,7 @@
 //! their frames. Then any world could show its scenery and true state, images got the names of their cameras, and runs a result. Then
 //! lines of the log got their source, and descriptions the schemas of the robot's messages. Then modulations said whether they
 //! stop the robot, and transitions what they carry. Then links got their roles, transitions the results and parameters for
-//! which they wait, and components their work.
+//! which they wait, and components their work. Then components got types beside their names.
 
 use bica_core::ComponentId;
 use bica_core::visual::SceneItem;
@@ -22,7 +22,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xb753_e9d0_6e0c_98c2;
+const GOLDEN_SCHEMA: u64 = 0xa192_42bc_5b1f_50a0;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()

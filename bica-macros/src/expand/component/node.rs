@@ -26,6 +26,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
             #distinct
             #p::Node {
                 name: <Self as #p::Component>::NAME,
+                kind: ::core::option::Option::None,
                 doc: <Self as #p::Component>::DOC,
                 hz: <Self as #p::Component>::HZ,
                 budget_us: <Self as #p::Component>::BUDGET_US,

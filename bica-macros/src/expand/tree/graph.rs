@@ -16,8 +16,9 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
     let doc = text::doc(&tree.attributes);
     let budget_ms = option(tree.budget_ms.as_ref());
     let nodes = tree.components.iter().zip(kinds(tree)).map(|(entry, kind)| {
-        let label = text::written(&entry.kind);
-        quote!(#p::node::<#name, #kind>(#label))
+        let (label, written) = (entry.label(), text::written(&entry.kind));
+        let written = option(entry.name.as_ref().map(|_| written).as_ref());
+        quote!(#p::node::<#name, #kind>(#label, #written))
     });
     let roles = tree.roles.iter().map(super::roles::name);
     let check = check(tree, &p);

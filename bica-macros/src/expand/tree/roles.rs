@@ -6,7 +6,7 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 use super::{kinds, runtime};
 use crate::expand::quoting::{at, placed};
 use bica_syntax::text;
-use bica_syntax::tree::model::{RoleEntry, Tree};
+use bica_syntax::tree::model::{Entry, RoleEntry, Tree};
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let name = &tree.name;
@@ -37,7 +37,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
 /// A type that the compiler refuses, once, unless each role for which a component asks has a provider.
 fn filled(tree: &Tree) -> TokenStream {
     let (p, label, kinds) = (runtime(tree), text::name(&tree.name), kinds(tree));
-    let names = tree.components.iter().map(|entry| text::written(&entry.kind));
+    let names = tree.components.iter().map(Entry::label);
     let roles = tree.roles.iter().map(|entry| {
         let (role, p) = (&entry.role, placed(&p, at(&entry.role)));
         quote_spanned!(at(role) => { use #p::Unnamed as _; <#p::Named<dyn #role>>::NAME })

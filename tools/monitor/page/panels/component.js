@@ -54,7 +54,7 @@ function Head({ shown, component, index, own }) {
   return html`<header class="head">
     <h2><span class=${`kind ${kind}`}>${component.name}</span><span class="grow"></span>
       ${!own && html`<button class="small" title="Open in a tab of its own" aria-label=${`Open ${component.name} in a tab of its own`} onClick=${() => openComponent(component.name, true)}>↗</button>`}
-      ${hello.value?.source && html`<button class="small" title="Open its source in the designer" onClick=${() => edit(component.name)}>${component.states.length > 0 ? 'edit states' : 'edit code'}</button>`}</h2>
+      ${hello.value?.source && html`<button class="small" title="Open its source in the designer" onClick=${() => edit(component.kind ?? component.name)}>${component.states.length > 0 ? 'edit states' : 'edit code'}</button>`}</h2>
     <p class="dim facts" role="status">${kind} · <b class=${now?.[0] ? 'yes' : ''}>${now?.[0] ? 'active' : 'latent'}</b>${since !== null && html` for ${duration(Math.max(0, since))}`}${now && now[1] !== 'tree' && html` · <b class="warn">held ${now[1]}</b>`}${cursor.value !== null && ` · at ${time(cursor.value)}`}</p>
   </header>`;
 }

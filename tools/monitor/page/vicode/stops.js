@@ -17,7 +17,7 @@ export const hit = signal(null);
 export const stops = computed(() => known.value.get(session.value?.id) ?? []);
 
 /** Index of the shown component in the session; -1 if it has none of the name. */
-export const place = computed(() => (machine.value ? session.value?.description.value?.components.findIndex(({ name }) => name.split('<')[0] === machine.value.component.name.text.split('<')[0]) ?? -1 : -1));
+export const place = computed(() => (machine.value ? session.value?.description.value?.components.findIndex(({ name, kind }) => (kind ?? name).split('<')[0] === machine.value.component.name.text.split('<')[0]) ?? -1 : -1));
 
 /** Keys in the canvas with a breakpoint. */
 export const stopKeys = computed(() => new Set(stops.value.filter((stop) => stop.component === place.value).flatMap(keysOf)));

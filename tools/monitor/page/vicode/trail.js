@@ -9,7 +9,7 @@ const trail = signal([]);
 /** The trail of the shown component; none if it was opened in another way. */
 const valid = () => (trail.value.at(-1)?.child === component.value?.split('<')[0] ? trail.value : []);
 
-const nameOf = (one) => one.name.split('<')[0];
+const nameOf = (one) => (one.kind ?? one.name).split('<')[0];
 
 /** The component that a child stands for: of a role, `impl Legs`, its provider in the tree of the shown robot. */
 function providerOf(child) {

@@ -1,5 +1,6 @@
 //! `vicode coverage`
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -45,17 +46,29 @@ pub(super) fn run(
 fn add(visits: &mut Visits, path: &Path, component: &str) -> Result<(), String> {
     let mut recording = Recording::open(path).map_err(|error| error.to_string())?.without_blobs();
     let header = recording.header().clone();
-    let names: Vec<&str> = header.tree.components.iter().map(|one| base(&one.name)).collect();
-    let index = names
-        .iter()
-        .position(|name| *name == base(component))
-        .ok_or_else(|| format!("its robot has no component `{component}`; it has {}", names.join(", ")))?;
-    visits.begin();
-    while let Some(cycle) = recording.next_cycle().map_err(|error| error.to_string())? {
-        let state = cycle.tree.is_active(index).then(|| header.tree.state(index, cycle.tree.state(index))).flatten();
-        visits.sample(header.nanoseconds(cycle.tick.instant) / 1000, state);
+    let names: Vec<&str> = header.tree.components.iter().map(|one| base(one.type_name())).collect();
+    let all_of_it = names.iter().enumerate().filter(|(_, name)| **name == base(component));
+    let mut runs: Vec<(usize, Samples<'_>)> = all_of_it.map(|(index, _)| (index, Vec::new())).collect();
+    if runs.is_empty() {
+        return Err(format!("its robot has no component `{component}`; it has {}", names.join(", ")));
     }
+    while let Some(cycle) = recording.next_cycle().map_err(|error| error.to_string())? {
+        let time_us = header.nanoseconds(cycle.tick.instant) / 1000;
+        for &mut (index, ref mut run) in &mut runs {
+            let state = cycle.tree.is_active(index).then(|| header.tree.state(index, cycle.tree.state(index)));
+            run.push((time_us, state.flatten()));
+        }
+    }
+    runs.iter().for_each(|(_, run)| add_run(visits, run));
     Ok(())
+}
+
+/// Time in µs and state of one component of a tree, in the order of time.
+type Samples<'a> = Vec<(u64, Option<&'a str>)>;
+
+fn add_run(visits: &mut Visits, run: &Samples<'_>) {
+    visits.begin();
+    run.iter().for_each(|&(time_us, state)| visits.sample(time_us, state));
 }
 
 /// Adds the files that tests wrote into a folder, except those of robots without the component.
@@ -67,22 +80,19 @@ fn add_tests(visits: &mut Visits, folder: &Path, component: &str) -> Result<(), 
             continue;
         }
         let text = text_of(&path)?;
-        let mut begins = true;
+        let mut runs: BTreeMap<&str, Samples<'_>> = BTreeMap::new();
         for (index, line) in text.lines().enumerate() {
             let words: Vec<&str> = line.split('\t').collect();
             let parsed =
                 if let [time, name, state] = words[..] { time.parse().ok().zip(Some((name, state))) } else { None };
             let (time_us, (name, state)) =
                 parsed.ok_or_else(|| format!("line {} of `{}` is `{line}`", index + 1, path.display()))?;
-            if base(name) != base(component) {
-                continue;
+            if base(name) == base(component) {
+                runs.entry(name).or_default().push((time_us, (state != "-").then_some(state)));
             }
-            if std::mem::take(&mut begins) {
-                visits.begin();
-            }
-            visits.sample(time_us, (state != "-").then_some(state));
-            is_known = true;
         }
+        is_known |= !runs.is_empty();
+        runs.values().for_each(|run| add_run(visits, run));
     }
     let help = "run them with the variable BICA_COVERAGE, and with the harness of bica";
     if is_known { Ok(()) } else { Err(format!("no test in it has run `{component}`: {help}")) }

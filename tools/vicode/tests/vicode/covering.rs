@@ -112,6 +112,10 @@ fn coverage_of_a_recorded_game_has_all_its_time() {
     let alone = "Player: 2 of 9 states, 1 of 20 transitions, 1.50 s in 1 run\n";
     assert_eq!(summary(&[tests.text()]), alone);
     assert!(summary(&[&game, tests.text()]).ends_with(" in 2 runs\n"));
+    // Two of a kind in one test are two runs: the states of one do not follow those of the other.
+    let two = "0\tPlayer<0>\tlook_for_ball\n0\tPlayer<1>\tapproach\n1000000\tPlayer<0>\tlook_for_ball\n1000000\tPlayer<1>\tapproach\n";
+    fs::write(tests.file("1-0.states"), two).unwrap();
+    assert_eq!(summary(&[tests.text()]), "Player: 2 of 9 states, 0 of 20 transitions, 2.00 s in 2 runs\n");
     fs::remove_file(tests.file("1-0.states")).unwrap();
     assert!(summary(&[tests.text()]).contains("no test in it has run `Player`"));
     vicode(&["coverage", &other, &game], &tests).refused(&["has no component `Goalkeeper`; it has Player, "]);
