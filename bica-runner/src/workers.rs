@@ -84,12 +84,16 @@ pub enum Pace {
 pub struct Workers<T> {
     threads: usize,
     pace: Pace,
+    notice: Option<Notice>,
     pool: Option<Pool<T>>,
     /// Jobs that have not ended.
     away: Vec<(Ticket, Instant)>,
     /// Results that are not in the tree yet, with their due times.
     ended: Vec<(Instant, Put<T>)>,
 }
+
+/// Function that a thread calls before a job of a component.
+type Notice = Arc<dyn Fn(ComponentId) + Send + Sync>;
 
 /// The threads, and the channel by which results come back.
 struct Pool<T> {
@@ -101,7 +105,13 @@ impl<T: Tree> Workers<T> {
     /// Creates workers with this number of threads, at least one.
     #[must_use]
     pub const fn new(threads: usize, pace: Pace) -> Self {
-        Self { threads, pace, pool: None, away: Vec::new(), ended: Vec::new() }
+        Self { threads, pace, notice: None, pool: None, away: Vec::new(), ended: Vec::new() }
+    }
+
+    /// Sets a function that each thread calls before it runs a job of a component.
+    #[must_use]
+    pub fn announcing(self, notice: impl Fn(ComponentId) + Send + Sync + 'static) -> Self {
+        Self { notice: Some(Arc::new(notice)), ..self }
     }
 
     /// Takes over one result, for which it waits if `waits`; returns whether there was one.
@@ -133,20 +143,23 @@ impl<T: Tree> Jobs<T> for Workers<T> {
         for job in take(tree) {
             self.away.push((job.ticket, job.due));
             // It fails only if a thread could not be started; the job is then late.
-            let _ = self.pool.get_or_insert_with(|| Pool::start(self.threads)).jobs.send(job);
+            let _ = self.pool.get_or_insert_with(|| Pool::start(self.threads, self.notice.as_ref())).jobs.send(job);
         }
     }
 }
 
 impl<T: Tree> Pool<T> {
-    fn start(threads: usize) -> Self {
+    fn start(threads: usize, notice: Option<&Notice>) -> Self {
         let ((jobs, waiting), (done, ended)) = (channel::<Job<T>>(), channel());
         let waiting = Arc::new(Mutex::new(waiting));
         for _ in 0..threads.max(1) {
-            let (waiting, done) = (Arc::clone(&waiting), done.clone());
+            let (waiting, done, notice) = (Arc::clone(&waiting), done.clone(), notice.cloned());
             let next = move || waiting.lock().unwrap_or_else(PoisonError::into_inner).recv();
             let work = move || {
                 while let Ok(job) = next() {
+                    if let Some(notice) = &notice {
+                        notice(job.ticket.0);
+                    }
                     let put = (job.run)();
                     if done.send((job.ticket, put)).is_err() {
                         break;

@@ -5,6 +5,7 @@ mod bench;
 mod console;
 mod graph;
 mod link;
+mod log;
 #[cfg(feature = "monitor")]
 mod monitor;
 mod names;

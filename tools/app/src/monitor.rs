@@ -13,11 +13,13 @@ use bica_tuning::Layers;
 use bica_wire::message::Offers;
 use bica_wire::model::Invalid;
 use clap::{Args, Command};
+use log::LevelFilter;
 
 use crate::console::{Failure, Outcome, interrupt};
+use crate::log::Lines;
 use crate::record::{Images, RecordArgs, RecordedFile};
 use crate::replay::rerun;
-use crate::run::{Running, workers};
+use crate::run::{Running, observers, workers};
 use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 
 /// Level of a note in the log of a recording: information.
@@ -117,8 +119,10 @@ fn play<R: Recordable<Error: fmt::Display> + 'static>(
     let recorder = recorder.map(|recorder| recorder.measuring(const { &R::GRAPH }));
     let offers = ServerOptions { offers: Offers::PAUSE, actions, ..ServerOptions::default() };
     let (server, requests, view) = LinkServer::start_in_world::<R>(&run.address(), offers, &*world)?;
-    let mut running =
-        Running::new(robot, world, Some(requests), (None, (Some(view), recorder)), (true, workers(Pace::Program)));
+    let lines = Lines::new(const { &R::GRAPH }, LevelFilter::Info);
+    let workers = workers(Pace::Program, lines.as_ref());
+    let observers = observers(None, lines, Some(view), recorder);
+    let mut running = Running::new(robot, world, Some(requests), observers, (true, workers));
     running.figures()?;
     while !run.is_ended() {
         if let Some(end) = running.end(is_done, None).filter(|_| run.over()) {
@@ -126,7 +130,7 @@ fn play<R: Recordable<Error: fmt::Display> + 'static>(
             running.runner.requests_mut().iter_mut().for_each(LinkRequests::pause);
         }
         running.step()?;
-        let (_, (_, recorder)) = running.runner.observer();
+        let (_, (_, (_, recorder))) = running.runner.observer();
         if let (Some(recorder), Some(note)) = (recorder, run.note()) {
             recorder.log(LogLine { level: NOTE_LEVEL, source: LogSource::Note, text: note });
         }
@@ -135,7 +139,7 @@ fn play<R: Recordable<Error: fmt::Display> + 'static>(
         }
     }
     let figures = running.figures()?;
-    let (_, _, _, (_, (_, recorder))) = running.runner.into_parts();
+    let (_, _, _, (_, (_, (_, recorder)))) = running.runner.into_parts();
     recorder.map(|mut recorder| {
         recorder.set_figures(figures);
         recorder.finish("ended by the monitor")

@@ -116,6 +116,7 @@ fn own(
         record: args.record.clone(),
         link: args.link.clone(),
         tuning: args.tuning.of_known_robot(),
+        log: None,
         json: args.json,
     };
     let app = App::<Forward, ColourProfile>::new("player").robot(maker(body)).pacing_device(WORLD, move |options| {

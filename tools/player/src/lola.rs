@@ -60,6 +60,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         record: args.record.clone(),
         link: args.link.clone(),
         tuning: args.tuning.clone(),
+        log: None,
         json: args.json,
     };
     app.play(&run)?;

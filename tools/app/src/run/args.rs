@@ -1,6 +1,8 @@
 //! Arguments of `run`.
 
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use log::LevelFilter;
 
 use crate::link::ServeArgs;
 use crate::params::{Layer, TuningArgs};
@@ -33,9 +35,18 @@ pub struct RunArgs<L: Layer> {
     /// Values of the parameters
     #[command(flatten)]
     pub tuning: TuningArgs<L>,
+    /// Least level of the lines that components write with the crate `log` [default: info]
+    #[arg(long, value_name = "LEVEL", value_parser = level())]
+    pub log: Option<LevelFilter>,
     /// Print the result as JSON on stdout; all other output goes to stderr
     #[arg(long)]
     pub json: bool,
+}
+
+/// Parses a level of the log.
+fn level() -> impl TypedValueParser<Value = LevelFilter> {
+    PossibleValuesParser::new(["off", "error", "warn", "info", "debug", "trace"])
+        .try_map(|name| name.parse::<LevelFilter>())
 }
 
 /// Parses a duration of 0.01 to 86400 s.

@@ -13,15 +13,17 @@ use bica_link::{LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_recording::{Header, Recordable};
 use bica_wire::message::Offers;
 use bica_wire::model::Description;
+use log::LevelFilter;
 
 use crate::console::{Console, Failure, Outcome, interrupt};
 use crate::link::RosNode;
+use crate::log::Lines;
 use crate::params::{self, Layer};
 use crate::record::RecordedFile;
 use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 pub use args::{RunArgs, seconds};
 use report::{End, Report};
-pub(crate) use running::{Running, workers};
+pub(crate) use running::{Running, observers, workers};
 use story::Story;
 
 /// Exit codes of a program, for its help.
@@ -60,8 +62,10 @@ where
     };
     let (file, recorder) = args.record.start(header, is_realtime)?.unzip();
     let recorder = recorder.map(|recorder| recorder.measuring(const { &R::GRAPH }));
-    let observers = (Some(Story::new(const { &R::GRAPH })), (view, recorder));
-    let mut running = Running::new(robot, world, requests, observers, (is_paced, workers(registered.pace)));
+    let lines = Lines::new(const { &R::GRAPH }, args.log.unwrap_or(LevelFilter::Info));
+    let workers = workers(registered.pace, lines.as_ref());
+    let observers = observers(Some(Story::new(const { &R::GRAPH })), lines, view, recorder);
+    let mut running = Running::new(robot, world, requests, observers, (is_paced, workers));
     running.figures()?;
     // A served run has no aim: monitors may still inspect a robot that has reached it.
     let aim = is_done.filter(|_| served.is_none());
@@ -85,7 +89,7 @@ where
     }
     let figures = running.figures()?;
     let (seconds, cycles, schedule) = (running.elapsed().as_micros() as f64 * 1e-6, running.cycles, running.schedule());
-    let (_, world, _, (story, (_, recorder))) = running.runner.into_parts();
+    let (_, world, _, (story, (_, (_, recorder)))) = running.runner.into_parts();
     if let Some((file, mut recorder)) = file.zip(recorder) {
         recorder.set_figures(figures.clone());
         console.print_row("recording", &file.describe(&recorder.finish(end.text())))?;

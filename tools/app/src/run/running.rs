@@ -9,11 +9,12 @@ use bica::runner::realtime::Clock;
 use bica::runner::workers::{self, Workers};
 use bica::runner::{Observer, OverrunPolicy, Robot, Runner, Schedule, World};
 use bica_link::{LinkObserver, LinkRequests};
-use bica_recording::{Figure, Recordable, Recorder};
+use bica_recording::{Figure, LogLine, Recordable, Recorder};
 
 use super::report::End;
 use super::story::Story;
 use crate::console::{Console, Failure};
+use crate::log::Lines;
 
 /// Time between two polls of the requests of a paused world.
 const BETWEEN_REQUESTS: Duration = Duration::from_millis(5);
@@ -38,14 +39,39 @@ impl Pace {
 
 type Loop<R> = Runner<Box<R>, Box<dyn World<R>>, Option<LinkRequests>, Observers<R>, Workers<R>>;
 
-type Observers<R> = (Option<Story>, (Option<LinkObserver<R>>, Option<Recorder>));
+type Observers<R> = (Option<Story>, (Option<Lines>, (Option<LinkObserver<R>>, Option<Recorder>)));
+
+/// Observes a run from all sides: its lines of text go to the monitors and to the recording.
+pub(crate) fn observers<R: Robot>(
+    story: Option<Story>,
+    lines: Option<Lines>,
+    view: Option<LinkObserver<R>>,
+    recorder: Option<Recorder>,
+) -> Observers<R> {
+    let lines = lines.map(|mut lines| {
+        if let Some(view) = &view {
+            let send = view.lines();
+            lines.add(move |now, LogLine { level, source, text }| send(now, *level, *source, text));
+        }
+        if let Some(recorder) = &recorder {
+            let record = recorder.lines();
+            lines.add(move |_, line| record(line.clone()));
+        }
+        lines
+    });
+    (story, (lines, (view, recorder)))
+}
 
 /// Threads for the jobs of a robot: all processors but that of the loop. In a world that the program paces, results arrive when they are
 /// due.
-pub(crate) fn workers<R: Robot>(pace: crate::world::Pace) -> Workers<R> {
+pub(crate) fn workers<R: Robot>(pace: crate::world::Pace, lines: Option<&Lines>) -> Workers<R> {
     let threads = thread::available_parallelism().map_or(1, |count| count.get() - 1);
     let simulated = pace == crate::world::Pace::Program;
-    Workers::new(threads, if simulated { workers::Pace::Simulated } else { workers::Pace::RealTime })
+    let workers = Workers::new(threads, if simulated { workers::Pace::Simulated } else { workers::Pace::RealTime });
+    match lines {
+        Some(lines) => workers.announcing(lines.of_jobs()),
+        None => workers,
+    }
 }
 
 /// Run of a robot in a world.
@@ -103,9 +129,11 @@ impl<R: Recordable<Error: fmt::Display>> Running<R> {
         Figure::with(&result, &self.figures().unwrap_or_default())
     }
 
-    /// Prints the changes of state since the last call.
+    /// Prints the changes of state and the lines of the log since the last call.
     pub(super) fn print(&mut self, console: Console) -> Result<(), Failure> {
-        self.runner.observer_mut().0.as_mut().map_or(Ok(()), |story| story.print(console))
+        let (story, (lines, _)) = self.runner.observer_mut();
+        story.as_mut().map_or(Ok(()), |story| story.print(console))?;
+        lines.as_mut().map_or(Ok(()), |lines| lines.print(console))
     }
 
     /// Runs a cycle, or applies the requests of a paused world. Returns whether it ran a cycle.
@@ -114,7 +142,7 @@ impl<R: Recordable<Error: fmt::Display>> Running<R> {
         if begins_cycle {
             self.cycle()?;
         }
-        let (_, (view, _)) = self.runner.observer();
+        let (_, (_, (view, _))) = self.runner.observer();
         if let Some(view) = view {
             view.show_truth(&**self.runner.world());
         }

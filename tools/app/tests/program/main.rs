@@ -1,6 +1,7 @@
 //! The program of a robot that is neither a humanoid nor plays soccer: the wall follower.
 
 mod link;
+mod logs;
 #[cfg(all(unix, feature = "monitor"))]
 mod monitor;
 mod new;

@@ -62,6 +62,15 @@ impl<R: Robot> LinkObserver<R> {
         self
     }
 
+    /// Returns a function for the loop that sends a line of the log to every monitor: the instant of its cycle, its level, origin and text.
+    pub fn lines(&self) -> impl Fn(Instant, u8, LogSource, &str) + Send + use<R> {
+        let control = Arc::clone(&self.control);
+        move |now, level, source, text| {
+            let time_us = now.as_micros();
+            lock(&control).tell_all(&Message::Log { time_us, level, source, text: text.into() });
+        }
+    }
+
     /// Tells all monitors what happened to a job.
     fn tell_work(&self, component: ComponentId, what: &str) {
         let node = &R::GRAPH.nodes[component.index()];

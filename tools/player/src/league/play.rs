@@ -97,6 +97,7 @@ fn game(robot: &'static Footballer, args: &Play, entry: Entry) -> Result<Outcome
         record: args.record.clone(),
         link: args.link.clone(),
         tuning: args.tuning.of_known_robot(),
+        log: None,
         json: args.json,
     };
     let outcome = robot::app(robot, entry, &standing).play(&run)?;

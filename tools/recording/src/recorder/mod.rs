@@ -242,6 +242,12 @@ impl Recorder {
         self.queue.push(Entry::Log(line));
     }
 
+    /// Returns a function that records a line of text; it belongs to the cycle that has not [ended](Observer::acted).
+    pub fn lines(&self) -> impl Fn(LogLine) + Send + use<> {
+        let queue = Arc::clone(&self.queue);
+        move |line| queue.push(Entry::Log(line))
+    }
+
     /// Records the time of the components since the last call.
     pub fn costs(&self, costs: Costs) {
         self.queue.push(Entry::Costs(costs));
