@@ -24,7 +24,9 @@ impl Talker {
             log::debug!("{} jobs", thinker.jobs);
         }
         let flood = if self.runs == 100 { 500 } else { 0 };
-        (0..flood).for_each(|number| log::error!("flood {number}"));
+        for number in 0..flood {
+            log::error!("flood {number}");
+        }
         self.runs += 1;
     }
 }

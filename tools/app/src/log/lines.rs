@@ -58,7 +58,7 @@ impl Lines {
     pub(crate) fn print(&mut self, console: Console) -> Result<(), Failure> {
         for (t, cycle, LogLine { level, text, .. }) in take(&mut self.unprinted) {
             let style = if level >= WARNING { Style::Bad } else { Style::Plain };
-            console.print(&console.styled(style, &format!("{t:8.2} s  {text} (cycle {cycle})")).to_string())?;
+            console.print(&console.styled(style, &format!("{t:8.2} s  {text} (cycle {cycle})")))?;
         }
         Ok(())
     }
@@ -74,7 +74,9 @@ impl Lines {
             }));
         }
         for line in lines {
-            self.sinks.iter().for_each(|sink| sink(now, &line));
+            for sink in &self.sinks {
+                sink(now, &line);
+            }
             self.unprinted.push((now.as_micros() as f64 * 1e-6, self.cycles, line));
         }
     }
@@ -124,7 +126,9 @@ impl Drop for Lines {
         // A step has panicked: its last lines may say why.
         if thread::panicking() {
             let waiting = self.waiting.take().into_iter().map(|line| self.described(line).text);
-            waiting.for_each(|text| eprintln!("{text} (cycle {})", self.cycles));
+            for text in waiting {
+                eprintln!("{text} (cycle {})", self.cycles);
+            }
         }
     }
 }

@@ -59,7 +59,9 @@ fn add(visits: &mut Visits, path: &Path, component: &str) -> Result<(), String> 
             run.push((time_us, state.flatten()));
         }
     }
-    runs.iter().for_each(|(_, run)| add_run(visits, run));
+    for (_, run) in &runs {
+        add_run(visits, run);
+    }
     Ok(())
 }
 
@@ -68,7 +70,9 @@ type Samples<'a> = Vec<(u64, Option<&'a str>)>;
 
 fn add_run(visits: &mut Visits, run: &Samples<'_>) {
     visits.begin();
-    run.iter().for_each(|&(time_us, state)| visits.sample(time_us, state));
+    for &(time_us, state) in run {
+        visits.sample(time_us, state);
+    }
 }
 
 /// Adds the files that tests wrote into a folder, except those of robots without the component.
@@ -92,7 +96,9 @@ fn add_tests(visits: &mut Visits, folder: &Path, component: &str) -> Result<(), 
             }
         }
         is_known |= !runs.is_empty();
-        runs.values().for_each(|run| add_run(visits, run));
+        for run in runs.values() {
+            add_run(visits, run);
+        }
     }
     let help = "run them with the variable BICA_COVERAGE, and with the harness of bica";
     if is_known { Ok(()) } else { Err(format!("no test in it has run `{component}`: {help}")) }
