@@ -63,9 +63,10 @@
 #[doc(hidden)]
 pub use bica_core::__private;
 pub use bica_core::{
-    Age, Axis, Blob, Component, ComponentId, Duration, Fills, Format, Found, Graph, Handle, Has, Hint, Hold, Instant,
-    JobEnd, Key, ParamEnum, Params, ParamsOf, Place, Probe, Rate, Refusal, Setting, Status, Stopwatch, Time, Tree,
-    Tuned, Value, Work, action, graph, info, modulation, params, probe, rate, refusal, stopwatch, visual, work,
+    Age, Axis, Blob, Component, ComponentId, Duration, End, Fills, Format, Found, Graph, Handle, Has, Hint, Hold,
+    Instant, JobEnd, Key, Outcome, ParamEnum, Params, ParamsOf, Place, Probe, Rate, Refusal, Setting, Status,
+    Stopwatch, Time, Tree, Tuned, Value, Work, action, graph, info, modulation, params, probe, rate, refusal,
+    stopwatch, visual, work,
 };
 #[doc(hidden)]
 pub use bica_core::{check, render};
@@ -79,8 +80,8 @@ pub use bica_runner as runner;
 pub mod prelude {
     pub use bica_core::action::Actions;
     pub use bica_core::{
-        Age, Blob, Component, ComponentId, Duration, Format, Found, Has, Hold, Instant, ParamEnum, Params, Probe, Rate,
-        Refusal, Time, Tree, Tuned, Value, Work,
+        Age, Blob, Component, ComponentId, Duration, Format, Found, Has, Hold, Instant, Outcome, ParamEnum, Params,
+        Probe, Rate, Refusal, Time, Tree, Tuned, Value, Work,
     };
     pub use bica_macros::{
         ComponentDoc, ParamEnum, Params, activation_tree, component, data, message, output, role, world_actions,

@@ -2,8 +2,8 @@
 
 use std::cell::RefCell;
 
-use bica::JobEnd;
 use bica::prelude::*;
+use bica::{End, JobEnd};
 
 use crate::semantics::rules;
 use crate::semantics::unit::Carried;
@@ -60,6 +60,11 @@ pub(crate) enum Event {
     WorkBegun(usize, u64),
     /// A job has ended.
     WorkEnded(usize, JobEnd),
+    /// Result of a child that a condition reads.
+    Ended {
+        of: &'static str,
+        end: Option<End>,
+    },
     /// Age of another component, clock ticks.
     Aged {
         of: &'static str,

@@ -2,8 +2,8 @@
 
 use std::vec::IntoIter;
 
-use bica::JobEnd;
 use bica::graph::{Graph, Transition};
+use bica::{End, JobEnd};
 
 use super::event::{Event, Read, Times};
 use super::rules::{self, Memory};
@@ -146,12 +146,17 @@ impl Model {
 
     /// Compares the evaluation of a transition, and returns its result.
     fn evaluate(&mut self, index: usize, name: &'static str) -> Result<bool, String> {
-        match self.next()? {
-            Event::Evaluated { by, transition, reads } if by == self.graph.nodes[index].name && transition == name => {
-                self.read(&reads)?;
-                Ok(self.components[index].flags & bit(name) != 0)
+        loop {
+            match self.next()? {
+                Event::Ended { of, end } => self.ended(self.named(of), end)?,
+                Event::Evaluated { by, transition, reads }
+                    if by == self.graph.nodes[index].name && transition == name =>
+                {
+                    self.read(&reads)?;
+                    return Ok(self.components[index].flags & bit(name) != 0);
+                }
+                other => return Err(format!("{other:?} instead of the evaluation of {name}")),
             }
-            other => Err(format!("{other:?} instead of the evaluation of {name}")),
         }
     }
 
@@ -248,6 +253,12 @@ impl Model {
         let memory = &mut self.components[index];
         memory.entered = memory.entered.min(self.now);
         self.now - memory.entered
+    }
+
+    /// Checks the result of a child.
+    fn ended(&self, index: usize, end: Option<End>) -> Comparison {
+        let expected = [End::Done, End::Failed].into_iter().find(|end| self.has_ended(index, *end));
+        if end == expected { Ok(()) } else { Err(format!("the result is {end:?} instead of {expected:?}")) }
     }
 
     /// Checks the age of a component that was ever active.

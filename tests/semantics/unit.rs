@@ -132,6 +132,11 @@ impl Unit {
     }
 }
 
+/// Records the result of a child.
+pub(crate) fn ended<C>(of: &'static str, outcome: &Outcome<C>) {
+    record(Event::Ended { of, end: outcome.end() });
+}
+
 /// Records the age of a component.
 pub(crate) fn aged<C>(of: &'static str, age: &Age<C>) {
     record(Event::Aged { of, since_run: age.since_run().map(|age| age.as_ticks()) });

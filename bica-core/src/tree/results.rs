@@ -5,6 +5,7 @@ use super::cycle_state::VisitOutcome;
 use super::layout::{Has, Layout, MemberOf};
 use crate::component::Component;
 use crate::graph::{End, State, Transition};
+use crate::outcome::Outcome;
 use crate::probe::Probe;
 use crate::text::Text;
 
@@ -16,12 +17,22 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
     where
         T: Has<C>,
     {
+        self.outcome::<C>().end() == Some(end)
+    }
+
+    /// The result of the child `C`.
+    #[inline]
+    #[must_use]
+    pub fn outcome<C: 'static>(&self) -> Outcome<C>
+    where
+        T: Has<C>,
+    {
         let state = self.store.component_state::<C>();
         if state.activation().is_any_latent() || state.begins_anew() {
-            return false;
+            return Outcome::new(None);
         }
         let states = <T::Member as Component>::STATES;
-        state.state().and_then(|state| states.get(state)).is_some_and(|state| state.end == Some(end))
+        Outcome::new(state.state().and_then(|state| states.get(state)).and_then(|state| state.end))
     }
 
     /// Makes the child `C` begin anew in its next visit, as the state that asks for its result is entered.
@@ -116,26 +127,36 @@ const fn has_end(states: &[State], end: Option<End>) -> bool {
     false
 }
 
-/// Stops the compiler if the component `C` never ends with a result; `name` is its type as written.
+/// Stops the compiler if the component `C` never ends with this result, or with any; `name` is its type as written.
 ///
 /// # Panics
 /// If it does not.
 #[track_caller]
-pub const fn assert_end<T: Has<C>, C: 'static>(end: End, name: &str) {
+pub const fn assert_end<T: Has<C>, C: 'static>(end: Option<End>, name: &str) {
     let states = <T::Member as Component>::STATES;
-    if <T::Member as Component>::IS_STUB || has_end(states, Some(end)) {
+    let is_there = match end {
+        Some(_) => has_end(states, end),
+        None => has_ends(states),
+    };
+    if <T::Member as Component>::IS_STUB || is_there {
         return;
     }
+    let word = match end {
+        Some(end) => end.word(),
+        None => "done",
+    };
     let mut text = Text::<256>::new();
     text.push("`");
     text.push(name);
     if states.is_empty() {
         text.push("` is no state machine, so it has no result: name a child with a `#[state(");
-        text.push(end.word());
+        text.push(word);
         text.push(")]`");
+    } else if end.is_none() {
+        text.push("` has no state with a result: mark its states `#[state(done)]` and `#[state(failed)]`");
     } else {
         text.push("` has no state with this result: mark one of its states `#[state(");
-        text.push(end.word());
+        text.push(word);
         text.push(")]`, or ask for another result");
     }
     panic!("{}", text.as_str());

@@ -1,7 +1,7 @@
 //! Results of children, transitions on states, and timers that are parameters.
 
 use bica_core::graph::End;
-use bica_core::{LoneMachine, Value};
+use bica_core::{LoneMachine, Outcome, Value};
 use bica_macros::Params;
 
 use super::*;
@@ -103,6 +103,36 @@ activation_tree! {
     pub(crate) struct Arm { root: Picker, cycle_hz: 100, tunable, components: [Picker, Reach], crate: bica_core }
 }
 
+/// Tries again while the child fails, and ends when it has ended with another result.
+pub(crate) struct Judge;
+
+#[component(crate = bica_core)]
+impl Judge {
+    const fn new() -> Self {
+        Self
+    }
+
+    #[state(initial)]
+    fn watch(&mut self, reach: &mut Reach) {}
+
+    #[state(last)]
+    fn over(&mut self, reach: &mut Reach) {}
+
+    #[transition(watch -> watch)]
+    fn again(&self, reach: &Outcome<Reach>) -> bool {
+        reach.is_failed()
+    }
+
+    #[transition(watch -> over)]
+    fn ends(&self, reach: &Outcome<Reach>) -> bool {
+        reach.end().is_some()
+    }
+}
+
+activation_tree! {
+    pub(crate) struct Court { root: Judge, cycle_hz: 100, components: [Judge, Reach], crate: bica_core }
+}
+
 /// States of the picker in the cycles of an interval, ms.
 fn states(arm: &mut Arm, from: u64, to: u64) -> Vec<&'static str> {
     let state = |ms: u64| {
@@ -139,6 +169,22 @@ fn a_transition_without_times_ends_the_row() {
     let before = arm.get::<Picker>().attempts;
     states(&mut arm, 100, 10_000);
     assert_eq!(arm.get::<Picker>().attempts, before + 3);
+}
+
+#[test]
+fn a_condition_reads_a_result_and_the_child_begins_anew() {
+    let mut court = Court::new();
+    for cycle in 0..4 {
+        court.tick(at(10 * cycle));
+    }
+    assert_eq!(court.get::<Reach>().calls, ["start", "go", "stuck", "stop", "start", "go", "stuck"]);
+    court.get_mut::<Reach>().succeeds = true;
+    for cycle in 4..8 {
+        court.tick(at(10 * cycle));
+    }
+    assert_eq!(court.get::<Reach>().calls[7..], ["stop", "start", "go", "there", "there", "there"]);
+    assert_eq!(court.of::<Judge>().state_name(), Some("over"));
+    assert_eq!((Court::GRAPH.nodes[0].outcomes, Court::GRAPH.nodes[1].outcomes), (&[1, 1][..], &[][..]));
 }
 
 #[test]

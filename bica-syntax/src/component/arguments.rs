@@ -54,7 +54,7 @@ pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut R
         if seen.contains(&place) {
             let problem = match argument {
                 Argument::Found(_) => wording::FOUND_TWICE.to_owned(),
-                Argument::Work(_) | Argument::Age(_) => wording::TWICE.to_owned(),
+                Argument::Work(_) | Argument::Age(_) | Argument::Outcome(_) => wording::TWICE.to_owned(),
                 _ => wording::two_links(&place),
             };
             report.add(&input.ty, problem);
@@ -72,6 +72,7 @@ fn key(argument: &Argument) -> String {
         Argument::Read(child) | Argument::Write(child) => text::written(child),
         Argument::Rate(child) => format!("Rate<{}>", text::written(child)),
         Argument::Age(child) => format!("Age<{}>", text::written(child)),
+        Argument::Outcome(child) => format!("Outcome<{}>", text::written(child)),
         Argument::OwnRate => "Rate<Self>".to_owned(),
         Argument::Time(_) => "Time".to_owned(),
         Argument::Tuned(kind) => format!("Tuned<{}>", text::written(kind)),
@@ -95,10 +96,11 @@ pub(crate) fn no_lifetime(lifetime: &Lifetime, report: &mut Report) {
     }
 }
 
-/// What an argument of a type means in a step of the component `own`; `None` if it is no input.
+/// What an argument of a type means in some function of the component `own`; `None` if it is no input.
 #[must_use]
 pub fn meaning(kind: &Type, own: &Type) -> Option<Argument> {
-    argument(kind, own, Form::Entry, &parse_quote!(fn step()), &mut Report::default())
+    let as_in = |form| argument(kind, own, form, &parse_quote!(fn step()), &mut Report::default());
+    as_in(Form::Entry).or_else(|| as_in(Form::Condition))
 }
 
 fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: &mut Report) -> Option<Argument> {
@@ -140,6 +142,7 @@ fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: 
         "Time" => time(reference, report),
         "Rate" => rate(reference, segment, own, form, report),
         "Age" => age(reference, segment, own, report),
+        "Outcome" => outcome(reference, segment, form, report),
         "Tuned" => tuned(reference, segment, report),
         "Work" => work::argument(reference, segment, own, form, report),
         _ => link(reference, own, form, report),
@@ -154,6 +157,7 @@ fn owned(path: &TypePath, form: Form, report: &mut Report) -> Option<Argument> {
         "Time" => wording::owned_time(&written),
         "Rate" => wording::owned_rate(&written),
         "Age" => wording::owned_age(&written),
+        "Outcome" => wording::owned_outcome(&written),
         "Work" => wording::WORK_ARGUMENT.to_owned(),
         "Tuned" => wording::owned_tuned(&written),
         _ if form == Form::Condition => wording::owned_condition(&written),
@@ -303,6 +307,28 @@ fn age(reference: &TypeReference, segment: &PathSegment, own: &Type, report: &mu
     None
 }
 
+fn outcome(reference: &TypeReference, segment: &PathSegment, form: Form, report: &mut Report) -> Option<Argument> {
+    let Some(of) = only_type(segment) else {
+        report.add(segment, wording::OUTCOME_OF_WHAT);
+        return None;
+    };
+    if form != Form::Condition {
+        report.add(reference, wording::OUTCOME_IN_CONDITION);
+        return None;
+    }
+    if reference.mutability.is_some() {
+        report.add(reference, wording::outcome(&text::written(&reference.elem)));
+        return None;
+    }
+    match plain(of) {
+        Type::ImplTrait(role) => report.add(of, wording::role_result(&text::written(&role.bounds))),
+        Type::TraitObject(role) => report.add(of, wording::role_result(&text::written(&role.bounds))),
+        Type::Reference(inner) => report.add(of, wording::name_alone(&text::written(&inner.elem))),
+        of => return Some(Argument::Outcome(of.clone())),
+    }
+    None
+}
+
 fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) -> Option<Argument> {
     let child = plain(&reference.elem).clone();
     if let Some(of) = unsized_argument(&child) {
@@ -327,7 +353,7 @@ fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) 
     }
 }
 
-/// Completes a `Rate`, `Age`, `Tuned` or `Found` without a type, and replaces one without a size, which are reported, so that the
+/// Completes a `Rate`, `Age`, `Outcome`, `Tuned` or `Found` without a type, and replaces one without a size, which are reported, so that the
 /// compiler does not report it again.
 pub(crate) fn complete_rates(signature: &mut Signature) {
     for input in &mut signature.inputs {
@@ -341,7 +367,9 @@ pub(crate) fn complete_rates(signature: &mut Signature) {
         if let PathArguments::AngleBracketed(list) = &mut last.arguments {
             list.args.iter_mut().filter(|one| is_unsized(one)).for_each(|one| *one = parse_quote!(()));
         }
-        if ["Rate", "Age", "Tuned", "Found", "Work"].iter().any(|name| last.ident == name) && last.arguments.is_none() {
+        if ["Rate", "Age", "Outcome", "Tuned", "Found", "Work"].iter().any(|name| last.ident == name)
+            && last.arguments.is_none()
+        {
             last.arguments = PathArguments::AngleBracketed(parse_quote!(<Self>));
         }
     }

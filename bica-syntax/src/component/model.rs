@@ -158,6 +158,11 @@ pub struct Function {
 }
 
 impl Function {
+    /// The children whose results the function takes.
+    pub fn outcomes(&self) -> impl Iterator<Item = &Type> {
+        self.arguments.iter().filter_map(|argument| if let Argument::Outcome(of) = argument { Some(of) } else { None })
+    }
+
     /// What the function takes from the transition by which its state was entered.
     #[must_use]
     pub fn found(&self) -> Option<&Found> {
@@ -191,6 +196,8 @@ pub enum Argument {
     Rate(Type),
     /// `&Age<C>`: `C` or `impl Role`
     Age(Type),
+    /// `&Outcome<C>`, in a transition
+    Outcome(Type),
     /// `&mut Rate<Self>`
     OwnRate,
     /// `&mut Work<Self>`, as written without `&mut`
@@ -301,27 +308,33 @@ pub struct Edge<F = Function> {
     pub any: bool,
 }
 
-impl<F> Machine<F> {
-    /// The children for whose results the transitions wait, each text once.
+impl Machine {
+    /// The children for whose results the transitions ask, each text once.
     pub fn asked(&self) -> impl Iterator<Item = &Type> {
         distinct(self.edges.iter())
     }
 
-    /// The children for whose results the transitions wait that leave a state, each text once.
+    /// The children for whose results the transitions ask that leave a state, each text once.
     pub fn asked_in(&self, state: usize) -> impl Iterator<Item = &Type> {
         distinct(self.edges_from(state))
     }
+}
 
+impl<F> Machine<F> {
     /// The transitions that leave a state, in the order in which they are tried.
     pub fn edges_from(&self, state: usize) -> impl Iterator<Item = &Edge<F>> {
         self.edges.iter().filter(move |edge| edge.from == state)
     }
 }
 
-/// The children for whose results some transitions wait.
-fn distinct<'a, F: 'a>(edges: impl Iterator<Item = &'a Edge<F>>) -> impl Iterator<Item = &'a Type> {
+/// The children for whose results some transitions ask.
+fn distinct<'a>(edges: impl Iterator<Item = &'a Edge>) -> impl Iterator<Item = &'a Type> {
     let mut seen = BTreeSet::new();
-    edges.filter_map(|edge| Some(&edge.guard.when.as_ref()?.child.0)).filter(move |one| seen.insert(text::written(one)))
+    let asked = edges.flat_map(|edge| {
+        let function = (!edge.guard.bare).then_some(&edge.condition);
+        edge.guard.when.iter().map(|when| &when.child.0).chain(function.into_iter().flat_map(Function::outcomes))
+    });
+    asked.filter(move |one| seen.insert(text::written(one)))
 }
 
 impl<F: Named> Edge<F> {

@@ -41,7 +41,9 @@ pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> P
     let misplaced = match (&block.header.trait_, &name) {
         (Some((path, _)), _) => Some((path.to_token_stream(), wording::TRAIT_IMPL.to_owned())),
         (None, None) => Some((own.to_token_stream(), wording::NOT_A_NAME.to_owned())),
-        (None, Some(name)) if matches!(name.as_str(), "Time" | "Rate" | "Age" | "Tuned" | "Found" | "Work") => {
+        (None, Some(name))
+            if matches!(name.as_str(), "Time" | "Rate" | "Age" | "Outcome" | "Tuned" | "Found" | "Work") =>
+        {
             Some((own.to_token_stream(), wording::reserved(name)))
         }
         _ => None,

@@ -4,7 +4,7 @@ use syn::Type;
 
 use super::arguments::is_own;
 use super::links::Links;
-use super::model::{Component, Machine, Sources, Timer, Transition, When};
+use super::model::{Component, Machine, Sources, Timer, Transition};
 use crate::report::Report;
 use crate::{text, wording};
 
@@ -19,8 +19,9 @@ pub(super) fn check(component: &Component, machine: &Machine, report: &mut Repor
         {
             report.add(&timer.of.0, wording::OWN_TIMER);
         }
-        if let Some(when) = &transition.arrow.guard.when {
-            of_a_child(component, machine, transition, when, report);
+        let when = transition.arrow.guard.when.iter().map(|when| &when.child.0);
+        for child in when.chain(transition.function.outcomes().filter(|_| !transition.arrow.guard.bare)) {
+            of_a_child(component, machine, transition, child, report);
         }
     }
 }
@@ -42,8 +43,7 @@ fn on_its_state(transition: &Transition, report: &mut Report) {
 }
 
 /// Reports the result of what no argument of a state names that the transition leaves.
-fn of_a_child(component: &Component, machine: &Machine, transition: &Transition, when: &When, report: &mut Report) {
-    let child = &when.child.0;
+fn of_a_child(component: &Component, machine: &Machine, transition: &Transition, child: &Type, report: &mut Report) {
     if is_own(child, component.own()) {
         return report.add(child, wording::OWN_RESULT);
     }

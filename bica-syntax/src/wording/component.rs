@@ -21,6 +21,7 @@ pub(crate) fn reserved(name: &str) -> String {
         "Time" => "an argument `&Time` is the time of the cycle",
         "Rate" => "`Rate<C>` is the rate of C",
         "Age" => "`Age<C>` is the time since C ran last",
+        "Outcome" => "`Outcome<C>` is the result of C",
         "Found" => "`Found<T>` is what a transition found",
         "Work" => "`Work<Self>` are the jobs of a component",
         _ => "`Tuned<P>` is a struct of parameters",
@@ -234,6 +235,9 @@ pub(crate) const RATE_IN_CONDITION: &str =
 pub(crate) const AGE_OF_WHAT: &str = "an age is the time since a component ran last: write `&Age<Child>`";
 pub(crate) const OWN_AGE: &str =
     "the time since this component ran last is `since_run` of `&Time`: take that, or name another component";
+pub(crate) const OUTCOME_OF_WHAT: &str = "a result belongs to a child: write `&Outcome<Child>`";
+pub(crate) const OUTCOME_IN_CONDITION: &str =
+    "a transition asks for the result of a child: move this argument to a function with `#[transition]`";
 pub(crate) const RATE_OF_WHAT: &str = "a rate belongs to a component: write `&mut Rate<Child>`";
 
 messages! {
@@ -246,6 +250,8 @@ messages! {
                             or `&mut {written}`";
     owned_time(written) = "the time is borrowed: write `&{written}`";
     age(written) = "an age can only be read: write `&{written}`";
+    outcome(written) = "a result can only be read: write `&{written}`";
+    owned_outcome(written) = "a result is borrowed: write `&{written}`";
     owned_age(written) = "an age is borrowed: write `&{written}`";
     owned_rate(written) = "a rate is borrowed to be modulated: write `&mut {written}`";
     value(written) =

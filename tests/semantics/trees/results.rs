@@ -3,7 +3,7 @@
 use bica::prelude::*;
 
 use crate::semantics::test_tree::test_tree;
-use crate::semantics::unit::unit;
+use crate::semantics::unit::{ended, unit};
 
 /// Times of the picker.
 #[derive(Params)]
@@ -83,6 +83,12 @@ unit!(Helper(hz = 40) {
     #[transition(help -> rest, when = failed(Reach))]
     fn help(&mut self, time: &Time, reach: &mut Reach) {
         self.unit.body("help", time, [], [&mut reach.unit]);
+    }
+
+    #[transition(help -> rest)]
+    fn gives_up(&self, reach: &Outcome<Reach>) -> bool {
+        ended("Reach", reach);
+        self.unit.evaluate("gives_up", [])
     }
 
     #[state]

@@ -28,6 +28,30 @@ impl Manager {
     fn rest(&mut self) {}
 }
 
+struct Clerk;
+#[component]
+impl Clerk {
+    const fn new() -> Self { Self }
+
+    #[state(initial)]
+    fn work(&mut self, lamp: &mut Lamp) {}
+
+    #[state(last)]
+    fn rest(&mut self) {}
+
+    #[transition(work -> rest)]
+    fn ends(&self, lamp: &Outcome<Lamp>) -> bool { lamp.is_failed() }
+}
+
+struct Lamp;
+#[component]
+impl Lamp {
+    const fn new() -> Self { Self }
+
+    #[state(initial, last)]
+    fn lit(&mut self) {}
+}
+
 struct Worker;
 #[component]
 impl Worker {
@@ -53,6 +77,10 @@ activation_tree! {
 
 activation_tree! {
     struct Office { root: Manager, cycle_hz: 10, components: [Manager, Tool] }
+}
+
+activation_tree! {
+    struct Desk { root: Clerk, cycle_hz: 10, components: [Clerk, Lamp] }
 }
 
 fn main() {}

@@ -61,6 +61,9 @@ fn notes(graph: &Graph) -> Vec<String> {
     let ends = ends.filter_map(|(index, node, state)| {
         let end =
             state.end.filter(|end| !waits.iter().any(|when| (usize::from(when.child), when.end) == (index, *end)))?;
+        if graph.nodes.iter().any(|node| node.outcomes.contains(&index)) {
+            return None;
+        }
         let (name, state, word) = (node.name, state.name, end.word());
         Some(format!("no transition waits for `{word}` of `{name}`, with which its state `{state}` ends"))
     });

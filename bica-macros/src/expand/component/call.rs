@@ -18,21 +18,27 @@ pub(super) fn expand(p: &TokenStream, function: &Function, tuning: &Tuning) -> T
     let works = function.arguments.iter().any(|argument| matches!(argument, Argument::Work(_)));
     let work = works.then(|| quote!(let mut work = cycle.work::<Self>().borrow();));
     let tuned = tuned(function);
-    let ages = function.arguments.iter().enumerate().filter_map(|(place, argument)| match argument {
-        Argument::Age(of) => Some((binding(place), role::child(p, of))),
-        _ => None,
+    let told = function.arguments.iter().enumerate().filter_map(|(place, argument)| {
+        let name = binding(place);
+        match argument {
+            Argument::Age(of) => {
+                let of = role::child(p, of);
+                Some(quote!(let #name = cycle.age::<#of>();))
+            }
+            Argument::Outcome(of) => Some(quote!(let #name = cycle.outcome::<#of>();)),
+            _ => None,
+        }
     });
-    let ages = ages.map(|(name, of)| quote!(let #name = cycle.age::<#of>();));
-    let ages: TokenStream = ages.collect();
+    let told: TokenStream = told.collect();
     let given = function.arguments.iter().enumerate().map(|(place, argument)| match argument {
         Argument::Time(kind) => {
             let p = placed(p, at(kind));
             quote_spanned!(at(kind) => <#kind as #p::CycleTime>::of(&time))
         }
         Argument::Tuned(kind) => tuning.argument(kind),
-        Argument::Age(_) => {
-            let age = binding(place);
-            quote!(&#age)
+        Argument::Age(_) | Argument::Outcome(_) => {
+            let told = binding(place);
+            quote!(&#told)
         }
         Argument::Found(found) => quote_spanned!(at(&found.written) => found),
         Argument::Work(written) => quote_spanned!(at(written) => &mut work),
@@ -42,7 +48,7 @@ pub(super) fn expand(p: &TokenStream, function: &Function, tuning: &Tuning) -> T
         #time
         #tuned
         #work
-        #ages
+        #told
         let (this, #borrowed) = cycle.borrow::<Self, #set>();
         Self::#name(this #(, #given)*)
     }}
@@ -75,7 +81,12 @@ fn children(
     function: &Function,
 ) -> impl DoubleEndedIterator<Item = (usize, TokenStream, TokenStream)> {
     function.arguments.iter().enumerate().filter_map(move |(place, argument)| match argument {
-        Argument::Time(_) | Argument::Age(_) | Argument::Tuned(_) | Argument::Found(_) | Argument::Work(_) => None,
+        Argument::Time(_)
+        | Argument::Age(_)
+        | Argument::Outcome(_)
+        | Argument::Tuned(_)
+        | Argument::Found(_)
+        | Argument::Work(_) => None,
         Argument::Read(child) => Some((place, quote!(Read), role::child(p, child))),
         Argument::Write(child) => Some((place, quote!(Write), role::child(p, child))),
         Argument::Rate(child) => Some((place, quote!(WriteRate), role::child(p, child))),

@@ -18,6 +18,10 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
         Behaviour::Step(_) => Vec::new(),
         Behaviour::Machine(machine) => machine.edges.iter().map(|edge| transition(&p, edge, tuning)).collect(),
     };
+    let outcomes = component
+        .functions()
+        .flat_map(Function::outcomes)
+        .map(|of| with_end(&p, of, &quote!(::core::option::Option::None)));
     let distinct: TokenStream = component.functions().map(distinct).collect();
     let (written, count) = (visits.written(), visits.len());
     quote! {
@@ -37,6 +41,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
                 }.as_slice(),
                 states: <Self as #p::Component>::STATES,
                 transitions: &[#(#transitions),*],
+                outcomes: &[#(#outcomes),*],
                 params: <Self as #p::Component>::PARAMS,
                 info: <Self as #p::Component>::INFO,
                 modulations: <Self as #p::Component>::MODULATIONS,
@@ -76,6 +81,7 @@ fn link(argument: &Argument) -> Option<(TokenStream, &Type)> {
         Argument::OwnRate
         | Argument::Time(_)
         | Argument::Age(_)
+        | Argument::Outcome(_)
         | Argument::Tuned(_)
         | Argument::Found(_)
         | Argument::Work(_) => None,
@@ -107,11 +113,18 @@ fn transition(p: &TokenStream, edge: &Edge, tuning: &Tuning) -> TokenStream {
 
 /// The result of a child that a transition waits for, once it is known to have it.
 fn result(p: &TokenStream, when: &When) -> TokenStream {
-    let (child, name, end) = (&when.child.0, text::written(&when.child.0), end(when.end));
-    let place = at(child);
+    let (child, end) = (&when.child.0, end(when.end));
+    let checked = placed(p, at(child));
+    let index = with_end(p, child, &quote!(::core::option::Option::Some(#checked::End::#end)));
+    quote!(#p::When { child: #index as ::core::primitive::u8, end: #p::End::#end })
+}
+
+/// The index of a child, once it is known to be a machine that ends in that way.
+fn with_end(p: &TokenStream, child: &Type, end: &TokenStream) -> TokenStream {
+    let (place, name) = (at(child), text::written(child));
     let checked = placed(p, place);
-    let check = quote_spanned!(place => #checked::assert_end::<__T, #child>(#checked::End::#end, #name));
-    quote!({ #check; #p::When { child: <__T as #p::Has<#child>>::INDEX as ::core::primitive::u8, end: #p::End::#end } })
+    let check = quote_spanned!(place => #checked::assert_end::<__T, #child>(#end, #name));
+    quote!({ #check; <__T as #p::Has<#child>>::INDEX })
 }
 
 /// The variant of a result.

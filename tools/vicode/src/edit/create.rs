@@ -19,7 +19,7 @@ pub fn module_of(name: &str) -> Result<String, Refusal> {
     if !name.starts_with(char::is_uppercase) || name.contains('_') {
         return Err(Refusal::new(format!("a component is called like a type: `WallFinder`, not `{name}`")));
     }
-    if matches!(name, "Time" | "Rate" | "Age" | "Tuned" | "Found" | "Work" | "Self") {
+    if matches!(name, "Time" | "Rate" | "Age" | "Outcome" | "Tuned" | "Found" | "Work" | "Self") {
         return Err(Refusal::new(format!("`{name}` means something else in signatures: choose another name")));
     }
     let module = snake(name);

@@ -84,6 +84,11 @@ pub enum Input {
         /// Type of the component, or its role.
         of: String,
     },
+    /// `&Outcome<Child>`
+    Outcome {
+        /// Type of the child.
+        of: String,
+    },
     /// `&Time`
     Time,
     /// `&mut Work<Self>`

@@ -134,6 +134,7 @@ fn argument(source: &Source<'_>, input: &PatType, own: &Type) -> Argument {
             Some(model::Argument::Rate(child)) => link(LinkKind::Rate, &child),
             Some(model::Argument::OwnRate) => Input::OwnRate,
             Some(model::Argument::Age(of)) => Input::Age { of: plain(&of) },
+            Some(model::Argument::Outcome(of)) => Input::Outcome { of: plain(&of) },
             Some(model::Argument::Time(_)) => Input::Time,
             Some(model::Argument::Work(_)) => Input::Work,
             Some(model::Argument::Tuned(of)) => Input::Tuned { parameters: plain(&of) },
