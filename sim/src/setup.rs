@@ -6,7 +6,7 @@ use core::str::FromStr;
 use bica_field::GoalColour;
 use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::Pose2;
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 use crate::field::{BALL_RADIUS, CARPET};
 use crate::obstacle::{GOALS, Obstacle};
@@ -29,11 +29,22 @@ pub struct Setup {
     pub start: Option<Start>,
     /// Colour of the goal that the robot attacks; drawn from the seed if `None`.
     pub attacks: Option<GoalColour>,
+    /// Error of the mounting of both cameras in the head, rad: roll to the right, tilt downwards, pan to the left. Only the built-in
+    /// world has it.
+    pub mounting: Vec3,
 }
 
 impl Default for Setup {
     fn default() -> Self {
-        Self { seed: 0, frame: Frame::default(), goalkeeper: true, robots: 0, start: None, attacks: None }
+        Self {
+            seed: 0,
+            frame: Frame::default(),
+            goalkeeper: true,
+            robots: 0,
+            start: None,
+            attacks: None,
+            mounting: Vec3::ZERO,
+        }
     }
 }
 

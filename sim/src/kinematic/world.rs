@@ -75,7 +75,8 @@ impl KinematicWorld {
     pub fn new(model: &'static SimulatedModel, setup: &Setup) -> Result<Self, SetupError> {
         setup.check(model)?;
         let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
-        let body = Body::standing(model, layout.start.robot, setup.seed);
+        let mut body = Body::standing(model, layout.start.robot, setup.seed);
+        body.mount_cameras(setup.mounting);
         let others = layout.others.iter().map(|other| other.pose).collect();
         let referee = Referee::new(layout.attacks, body.pose(), layout.start.ball, others);
         let previous_cameras = cameras(&body);

@@ -3,6 +3,8 @@
 #[cfg(feature = "images")]
 pub mod calibrate;
 #[cfg(feature = "images")]
+pub mod camera_calibration;
+#[cfg(feature = "images")]
 pub mod camera_poses;
 #[cfg(feature = "images")]
 pub mod detection;

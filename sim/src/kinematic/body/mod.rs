@@ -13,7 +13,7 @@ use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::{Pose2, rotate};
 use bica_motion::robot::{CameraId, Command, FootPressure, Inertial};
 use bica_motion::side::Side;
-use glam::{Affine3A, Vec2};
+use glam::{Affine3A, Quat, Vec2, Vec3};
 
 use self::balance::Balance;
 use self::fallen::Fallen;
@@ -48,6 +48,8 @@ pub(crate) struct Body {
     robot: Affine3A,
     inertial_unit: InertialUnit,
     measurement: Measurement,
+    /// Error of the mounting of the cameras; `None` if they are exact.
+    mounting: Option<Affine3A>,
     slips: Random,
     noise: Random,
 }
@@ -102,6 +104,7 @@ impl Body {
             robot,
             inertial_unit: InertialUnit::still(robot),
             measurement,
+            mounting: None,
             slips,
             noise,
         };
@@ -203,7 +206,14 @@ impl Body {
 
     /// Pose of a camera in the field frame, x along the optical axis.
     pub(crate) fn camera(&self, camera: CameraId) -> Affine3A {
-        self.robot * self.skeleton.camera(camera)
+        let exact = self.robot * self.skeleton.camera(camera);
+        self.mounting.map_or(exact, |mounting| exact * mounting)
+    }
+
+    /// Mounts both cameras with an error, rad: roll to the right, tilt downwards, pan to the left.
+    pub(crate) fn mount_cameras(&mut self, error: Vec3) {
+        let turn = Quat::from_rotation_z(error.z) * Quat::from_rotation_y(error.y) * Quat::from_rotation_x(error.x);
+        self.mounting = (error != Vec3::ZERO).then(|| Affine3A::from_quat(turn));
     }
 
     /// Pose of the robot frame projected to the ground; while the robot lies, with the heading before the fall.

@@ -10,14 +10,15 @@ use bica_sim::SpectatorView;
 use bica_sim::faults::{Faults, FaultyWorld, ImageFault};
 use bica_sim::kinematic;
 use bica_sim::setup::{Setup, SetupError, Start};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 use crate::game::rules::{Rules, WorldKind};
 
 /// Options of the worlds, for `--help`.
 pub(crate) const OPTIONS: &str = "\
 Option of the world; may be repeated: robot=X,Y,HEADING (start, m and rad), ball=X,Y or ball=X,Y,VX,VY (start and velocity, m and m/s), \
-image=freeze|dark|bright|noise|drop, gyro=RATE (offset, rad/s), stuck=JOINT, hot=JOINT, from=S and until=S (time of these faults), \
+image=freeze|dark|bright|noise|drop, gyro=RATE (offset, rad/s), stuck=JOINT, hot=JOINT, \
+mounting=ROLL,TILT,PAN (error of both cameras in the head, rad; not in MuJoCo), from=S and until=S (time of these faults), \
 button=S or button=S,S (presses of the chest button)";
 
 /// Creates a world at the start of a game.
@@ -26,6 +27,7 @@ pub(crate) fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
     let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
     let robot = options.value("robot", Numbers::default())?.exactly([3], "robot")?;
     let ball = options.value("ball", Numbers::default())?.exactly([2, 4], "ball")?;
+    let mounting = options.value("mounting", Numbers::default())?.exactly([3], "mounting")?;
     let faults = faults(&options)?;
     options.check_all_read(rules.world.name())?;
     let failed = |error: SetupError| {
@@ -38,7 +40,12 @@ pub(crate) fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
         robot: robot.first().map_or(drawn.referee().robot(), |_| Pose2::new(robot[0], robot[1], robot[2])),
         ball: ball.first().map_or(drawn.referee().ball(), |_| place(&ball)),
     });
-    let setup = Setup { start, ..setup };
+    let mounting = mounting.first().map_or(Vec3::ZERO, |_| Vec3::new(mounting[0], mounting[1], mounting[2]));
+    if mounting != Vec3::ZERO && rules.world != WorldKind::BuiltIn {
+        let what = "--option mounting: the cameras of this world are mounted as in the data sheet";
+        return Err(Failure::new(what, "leave it out, or play in the built-in world"));
+    }
+    let setup = Setup { start, mounting, ..setup };
     let velocity = if ball.len() == 4 { place(&ball[2..]) } else { Vec2::ZERO };
     let world: Box<dyn SpectatorView> = match rules.world {
         WorldKind::BuiltIn => kinematic::nao(&setup, velocity).map_err(failed)?,
