@@ -1,9 +1,9 @@
 //! What the driver and the robot program exchange.
 
+use bica_camera::Frame;
 use bica_motion::robot::Command;
 
 use crate::ending::Reason;
-use crate::frames::Frame;
 use crate::sensor_map::SensorMap;
 
 /// A cycle of the robot program.

@@ -5,6 +5,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::{Duration, Instant as Clock};
 
+use bica_camera::{Images, monotonic};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::robot::{CameraId, Command, Lights};
 
@@ -12,7 +13,7 @@ use crate::actuator_map::ActuatorMap;
 use crate::connection::{Connection, Event};
 use crate::cycle::{Cycle, Message};
 use crate::ending::{Reason, Watch};
-use crate::frames::Images;
+use crate::heads::Heads;
 use crate::limiter::Limiter;
 use crate::mistake::Mistake;
 use crate::options::{Options, Standing};
@@ -48,6 +49,7 @@ pub(crate) struct Driver {
     /// The newest command since the robot stood up.
     newest: Option<Command>,
     images: Option<Images>,
+    heads: Heads,
     standing: Standing,
     /// When the last valid map came, and when bytes were last dropped.
     heard: Clock,
@@ -76,6 +78,7 @@ impl Driver {
             given: None,
             newest: None,
             images,
+            heads: Heads::default(),
             standing: Standing::default(),
             heard: Clock::now(),
             rejected: None,
@@ -141,6 +144,7 @@ impl Driver {
     /// Takes a map, and answers it.
     fn take(&mut self, map: &SensorMap) {
         (self.map, self.heard) = (*map, Clock::now());
+        self.heads.push(monotonic(), map);
         self.standing.maps += 1;
         if self.standing.reason.is_none() {
             let is_late = self.options.limit.is_some_and(|limit| self.standing.seconds() >= limit);
@@ -213,9 +217,11 @@ impl Driver {
             // A robot does not run for a year.
             let number = u32::try_from(maps - 1).unwrap_or(u32::MAX);
             let image = self.images.as_ref().and_then(|images| images.take(camera, number, is_in_step));
+            let taken = image.as_ref().and_then(|image| image.taken);
+            let map = taken.map_or(self.map, |taken| self.heads.at(taken, &self.map));
             self.given = Some(maps);
             // Without a program, the next message says so.
-            _ = self.cycles.send(Cycle { map: self.map, maps, image, halt });
+            _ = self.cycles.send(Cycle { map, maps, image, halt });
         }
     }
 

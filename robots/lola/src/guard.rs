@@ -75,7 +75,7 @@ pub fn guard(socket: PathBuf, say: fn(&str)) -> io::Result<()> {
         let (map, unanswered) = (relay.map.unwrap_or_default(), relay.maps.saturating_sub(count));
         let options = Options {
             socket: connection.path().to_owned(),
-            frames: None,
+            images: None,
             guard: None,
             limit: None,
             stop: Box::new(|| false),

@@ -10,9 +10,9 @@ mod cycle;
 mod driver;
 mod ending;
 #[cfg(unix)]
-mod frames;
-#[cfg(unix)]
 mod guard;
+#[cfg(unix)]
+mod heads;
 mod limiter;
 mod mistake;
 #[cfg(unix)]
@@ -28,10 +28,10 @@ mod world;
 mod writer;
 
 pub use actuator_map::ActuatorMap;
+#[cfg(unix)]
+pub use bica_camera as camera;
 pub use buffer::{Found, MapBuffer};
 pub use ending::{Reason, Watch};
-#[cfg(unix)]
-pub use frames::{Frame, Header};
 #[cfg(unix)]
 pub use guard::guard;
 pub use limiter::Limiter;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::{Arc, Mutex};
 
+use bica_camera::Origin;
 use bica_motion::robot::{Buttons, Command};
 
 use crate::CYCLE_MICROS;
@@ -14,8 +15,8 @@ use crate::ending::Reason;
 pub struct Options {
     /// LoLA's socket.
     pub socket: PathBuf,
-    /// Socket with camera images; `None`: the robot program gets no images.
-    pub frames: Option<PathBuf>,
+    /// Where camera images come from; `None`: the robot program gets no images.
+    pub images: Option<Origin>,
     /// Makes the command of a process that runs [`guard()`](crate::guard()), from the path of the socket: it owns the socket, and lets the
     /// robot sit down if this process is killed. `None`: a killed process leaves the robot as it is.
     pub guard: Option<fn(&Path) -> process::Command>,

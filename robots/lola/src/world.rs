@@ -7,6 +7,7 @@ use std::thread::{self, JoinHandle};
 
 use bica::Instant;
 use bica::runner::{Robot, World};
+use bica_camera::{Frame, Images};
 use bica_motion::joints::Joints;
 use bica_motion::robot::{Buttons, Command, Sensors};
 
@@ -15,7 +16,6 @@ use crate::connection::Connection;
 use crate::cycle::{Cycle, Message};
 use crate::driver::Driver;
 use crate::ending::Reason;
-use crate::frames::{Frame, Images};
 use crate::options::{Options, Standing};
 
 /// A NAO V6 behind its socket.
@@ -43,7 +43,7 @@ impl LolaWorld {
     /// If there is no thread for the answers or the images.
     pub fn open(options: Options) -> io::Result<Self> {
         (options.say)(&format!("waits for the robot at {}", options.socket.display()));
-        let images = options.frames.clone().map(|path| Images::start(path, options.say)).transpose()?;
+        let images = options.images.clone().map(|origin| Images::start(origin, options.say)).transpose()?;
         let connection = Connection::new(options.socket.clone(), options.guard);
         let (halt, standing) = (options.halt, Arc::clone(&options.standing));
         let ((to_program, cycles), (messages, from_program)) = (channel(), channel());

@@ -15,6 +15,8 @@ use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::builder::{EnumValueParser, PossibleValue, TypedValueParser};
 use clap::{Arg, Args, Subcommand, ValueEnum};
 
+#[cfg(feature = "evaluation")]
+use crate::calibrate_camera::CameraOptions;
 use crate::colour_profile::ColourProfile;
 #[cfg(feature = "referee")]
 use crate::referee::RefereeCommand;
@@ -25,6 +27,8 @@ pub(crate) const CONTROL_PORT: u16 = 3838;
 pub(crate) const RETURN_PORT: u16 = 3939;
 /// UDP port of the messages of the team with number 0, by the rules.
 const TEAM_PORTS: u16 = 10_000;
+/// Device files of a NAO V6, top and bottom camera. Source: rUNSWift 2019 `CameraDefinitions.hpp`.
+const DEVICES: &str = "/dev/video-top,/dev/video-bottom";
 /// Value of `--referee` without an address.
 pub(crate) const ANYBODY: &str = "any";
 
@@ -76,6 +80,9 @@ pub(crate) enum Command {
     #[cfg(feature = "evaluation")]
     /// Fit the thresholds of the colour classes to labelled images and write them as a profile
     Calibrate(CalibrationOptions),
+    #[cfg(feature = "evaluation")]
+    /// Estimate the angles of a NAO's cameras, and the lean of its body, from the field lines in a recording
+    CalibrateCamera(CameraOptions),
     #[cfg(feature = "referee")]
     /// Command robots as a small `GameController` does: packets at 2 Hz, states and penalties from the terminal or a script
     Referee(RefereeCommand),
@@ -87,7 +94,7 @@ pub(crate) enum Command {
     },
     /// Detections in recorded images, calibration, trials in MuJoCo: with the feature `evaluation` of Cargo
     #[cfg(not(feature = "evaluation"))]
-    #[command(name = "watch", visible_aliases = ["see", "calibrate", "trial"], disable_help_flag = true)]
+    #[command(name = "watch", visible_aliases = ["see", "calibrate", "calibrate-camera", "trial"], disable_help_flag = true)]
     Evaluation {
         #[arg(hide = true, trailing_var_arg = true, allow_hyphen_values = true)]
         arguments: Vec<std::ffi::OsString>,
@@ -106,6 +113,13 @@ pub(crate) struct Play {
     /// With `--world lola`, socket with the camera images
     #[arg(long, value_name = "SOCKET")]
     pub(crate) frames: Option<PathBuf>,
+    /// With `--world lola`, read the cameras of the robot: device files of the top and the bottom one
+    /// [without a value: /dev/video-top,/dev/video-bottom]
+    #[arg(
+        long, value_name = "TOP,BOTTOM", num_args = 0..=1, default_missing_value = DEVICES, value_parser = devices,
+        conflicts_with = "frames"
+    )]
+    pub(crate) cameras: Option<[PathBuf; 2]>,
     /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds the default ones: one for each size, and for
     /// 160x120 one with the server for monitors, which is used with --serve
     #[arg(long, value_name = "FILE")]
@@ -290,6 +304,16 @@ impl Play {
     /// Longest duration of a simulated game, s.
     pub(crate) fn game_seconds(&self) -> f64 {
         self.seconds.unwrap_or(120.0)
+    }
+}
+
+/// Parses the device files of two cameras.
+fn devices(text: &str) -> Result<[PathBuf; 2], String> {
+    match text.split_once(',') {
+        Some((top, bottom)) if top != bottom && !top.is_empty() && !bottom.is_empty() => {
+            Ok([top.into(), bottom.into()])
+        }
+        _ => Err(format!("give two different device files, as {DEVICES}")),
     }
 }
 

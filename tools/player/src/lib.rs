@@ -6,12 +6,16 @@
 mod attacked;
 #[cfg(feature = "booster")]
 mod booster;
+#[cfg(feature = "evaluation")]
+mod calibrate_camera;
 mod cli;
 mod colour_profile;
 pub mod emulator;
 pub mod game;
 #[cfg(feature = "league")]
 mod league;
+#[cfg(all(feature = "lola", unix))]
+mod lean;
 #[cfg(all(feature = "lola", unix))]
 mod lola;
 mod play;
@@ -52,6 +56,8 @@ pub fn app() -> App<Forward, ColourProfile> {
             Command::See(args) => detection::see(&args),
             #[cfg(feature = "evaluation")]
             Command::Calibrate(args) => calibrate::run(&args),
+            #[cfg(feature = "evaluation")]
+            Command::CalibrateCamera(args) => calibrate_camera::run(&args),
             #[cfg(feature = "evaluation")]
             Command::Trial(args) => trial_options::run(&args),
             #[cfg(all(feature = "lola", unix))]

@@ -1,12 +1,14 @@
 //! `play --world lola`: a real NAO V6.
 
-use std::path::Path;
+use std::io;
+use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use bica::Tree;
 use bica_app::{App, Failure, Outcome, RunArgs, WorldOptions, interrupt};
 use bica_field::GoalColour;
+use bica_lola::camera::{Origin, Setting, Settings};
 use bica_lola::{LolaWorld, Options, Standing};
 use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{Buttons, Command, Light};
@@ -18,11 +20,14 @@ use bica_recording::{ReplayOptions, ReplayReport};
 use crate::attacked::{self, ATTACKS, SKY_BLUE, YELLOW};
 use crate::cli::Play;
 use crate::colour_profile::ColourProfile;
+use crate::lean::{Lean, Upright};
 
 /// Name of the world in recordings and options.
 const WORLD: &str = "lola";
 /// Path of LoLA's socket on the robot.
 const SOCKET: &str = "/tmp/robocup";
+/// Name of the option with the lean of the body.
+pub(crate) const BODY: &str = "body";
 /// Command that runs the guard.
 pub(crate) const GUARD: &str = "lola-guard";
 
@@ -34,12 +39,14 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     let standing = Arc::<Mutex<Standing>>::default();
     let (limit, shared) = (args.seconds, Arc::clone(&standing));
     let socket = args.world.socket.clone().unwrap_or_else(|| SOCKET.into());
-    let frames = args.frames.clone();
+    let (frames, cameras) = (args.frames.clone(), args.cameras.clone());
     let open = move |options: &WorldOptions| {
         options.value(ATTACKS, String::new())?;
+        let lean = options.value(BODY, Lean::default())?;
+        let images = origin(frames.clone(), cameras.clone(), settings(options)?)?;
         let options = Options {
             socket: socket.clone(),
-            frames: frames.clone(),
+            images,
             guard: Some(guard_command),
             limit,
             stop: Box::new(interrupt::requested),
@@ -47,7 +54,8 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
             halt: end_motion,
             standing: Arc::clone(&shared),
         };
-        LolaWorld::open(options).map_err(|error| Failure::new(error.to_string(), "is there memory left?"))
+        let failed = |error: io::Error| Failure::new(error.to_string(), "is there memory left?");
+        LolaWorld::open(options).map(|world| Upright { world, lean }).map_err(failed)
     };
     let app = App::<Forward, ColourProfile>::new("player").robot(maker(attacks)).pacing_device(WORLD, open);
     let run = RunArgs {
@@ -66,6 +74,26 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     app.play(&run)?;
     let Standing { opened, is_low, .. } = *standing.lock().unwrap_or_else(PoisonError::into_inner);
     Ok(if is_low || opened == 0 { Outcome::Success } else { Outcome::Unsuccessful })
+}
+
+/// Settings of the cameras by the options of the world.
+fn settings(options: &WorldOptions) -> Result<Settings, Failure> {
+    let setting = |name| options.value(name, Setting::Auto);
+    Ok(Settings { exposure: setting("exposure")?, gain: setting("gain")?, white_balance: setting("white-balance")? })
+}
+
+/// Where the images come from.
+fn origin(
+    frames: Option<PathBuf>,
+    cameras: Option<[PathBuf; 2]>,
+    settings: Settings,
+) -> Result<Option<Origin>, Failure> {
+    if cameras.is_none() && settings != Settings::default() {
+        let what = "the options exposure, gain and white-balance are settings of cameras, and no cameras are read";
+        return Err(Failure::new(what, "give --cameras, too, or leave them out"));
+    }
+    let cameras = cameras.map(|devices| Origin::Cameras(devices, settings));
+    Ok(cameras.or_else(|| frames.map(Origin::Socket)))
 }
 
 /// Runs the guard of a socket: `player lola-guard SOCKET`. A run starts this command itself.

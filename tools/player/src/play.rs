@@ -52,9 +52,9 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         let what = "--dds-domain, --dds-interface and --gait belong to a real Booster, and this game is played in another world";
         return Err(Failure::new(what, "give --world booster --robot t1, too, or leave them out"));
     }
-    if args.frames.is_some() {
-        let what = "--frames belongs to a real robot, and this game is played in another world";
-        return Err(Failure::new(what, "give --world lola, too, or leave out --frames"));
+    if args.frames.is_some() || args.cameras.is_some() {
+        let what = "--frames and --cameras belong to a real robot, and this game is played in another world";
+        return Err(Failure::new(what, "give --world lola, too, or leave out --frames and --cameras"));
     }
     if args.world.kind == World::League {
         #[cfg(feature = "league")]

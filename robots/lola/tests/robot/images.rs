@@ -5,6 +5,7 @@ use std::os::unix::net::UnixListener;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use bica_lola::LolaWorld;
+use bica_lola::camera::Origin;
 use bica_motion::model::NAO;
 use bica_motion::robot::{CameraId, Command};
 
@@ -25,7 +26,9 @@ fn look(_cycle: u32, world: &mut LolaWorld) -> Command {
 
 #[test]
 fn images_of_the_selected_camera_arrive_once() {
-    let mut robot = StandIn::start_with(look, |options| options.frames = Some(options.socket.with_file_name("frames")));
+    let mut robot = StandIn::start_with(look, |options| {
+        options.images = Some(Origin::Socket(options.socket.with_file_name("frames")));
+    });
     robot.cycles(RISE);
     let path = robot.folder().join("frames");
     for round in 0..2_u32 {

@@ -62,7 +62,7 @@ impl StandIn {
         let (stop, standing): (&'static AtomicBool, _) = (Box::leak(Box::default()), Arc::default());
         let mut options = Options {
             socket: folder.join("robocup"),
-            frames: None,
+            images: None,
             guard: None,
             limit: None,
             stop: Box::new(|| stop.load(Ordering::Relaxed)),
@@ -247,7 +247,7 @@ fn accept(listener: &UnixListener) -> UnixStream {
 
 /// Pixels of one brightness, and their header.
 pub(crate) fn frame(camera: CameraId, number: u32, luma: u8) -> Vec<u8> {
-    let header = bica_lola::Header { camera, width: 320, height: 240, number };
+    let header = bica_lola::camera::Header { camera, width: 320, height: 240, number };
     let mut bytes = header.encode().to_vec();
     bytes.resize(32 + header.pixel_bytes(), luma);
     bytes

@@ -108,6 +108,12 @@ fn wrong_sockets_and_options_are_refused() {
         (&["--world", "lola", "--games", "2"], &["--games"]),
         (&["--world", "lola", "--option", "attacks=red"], &["attacks=red", "sky-blue"]),
         (&["--frames", "/tmp/frames"], &["--frames", "--world lola"]),
+        (&["--cameras"], &["--cameras", "--world lola"]),
+        (&["--world", "lola", "--cameras", "--frames", "/tmp/frames"], &["--cameras", "--frames"]),
+        (&["--world", "lola", "--cameras", "/dev/video0"], &["two different", "/dev/video-top"]),
+        (&["--world", "lola", "--option", "exposure=100"], &["exposure", "give --cameras"]),
+        (&["--world", "lola", "--cameras", "--option", "gain=loud"], &["gain=loud", "65535"]),
+        (&["--world", "lola", "--option", "body=1,0"], &["body=1,0", "ROLL,PITCH"]),
     ] {
         refused(args, words);
     }

@@ -3,6 +3,7 @@
 mod arguments;
 #[cfg(feature = "evaluation")]
 mod calibrate;
+mod calibrate_camera;
 mod exit;
 mod firmware;
 mod games;
