@@ -8,9 +8,10 @@ use bica::runner::{Runner, World};
 use bica::{Instant, Tree};
 use bica_app::{App, Console, Failure, Outcome, RunArgs, interrupt};
 use bica_booster::{Body, BoosterWorld, Dds, Gait, K1, Motion, Options, T1, address};
+use bica_camera::{Images, Origin};
 use bica_motion::robot::Command;
 use bica_player::input::RobotProfile;
-use bica_player::league::senses::Senses;
+use bica_player::league::senses::{Senses, View};
 use bica_player::league::{Forward, K1_PARAMETERS, T1_PARAMETERS};
 use bica_player::model::set_model;
 use bica_player::motion::{Head, Walk};
@@ -19,6 +20,7 @@ use bica_tuning::Layers;
 
 use crate::cli::{GaitArg, Play};
 use crate::colour_profile::ColourProfile;
+use crate::eyes::Eyes;
 
 /// Name of the world in recordings and options.
 const WORLD: &str = "booster";
@@ -28,9 +30,14 @@ const ROBOT: &str = "robot";
 /// Whether the firmware has the robot back at the end, and what failed.
 type Standing = Arc<Mutex<bool>>;
 
-/// The robot behind the forward's senses. It has no images here.
+/// The robot behind the forward's senses.
 struct Field {
     world: BoosterWorld,
+    body: &'static Body,
+    /// `None` without images.
+    eyes: Option<Eyes>,
+    /// What they see in this cycle.
+    view: Option<View>,
     standing: Standing,
 }
 
@@ -40,11 +47,13 @@ impl World<Forward> for Field {
     }
 
     fn sensors(&mut self) -> Senses<'_> {
-        Senses { body: self.world.sense(), view: None, playing: !self.world.is_ending() }
+        Senses { body: self.world.sense(), view: self.view.clone(), playing: !self.world.is_ending() }
     }
 
     fn act(&mut self, command: &Command) {
         self.world.command(command);
+        let angles = self.world.sense().angles;
+        self.view = self.eyes.as_mut().and_then(|eyes| eyes.look(self.body.model, &angles));
         *self.standing.lock().unwrap_or_else(PoisonError::into_inner) = self.world.is_in_order();
     }
 
@@ -87,6 +96,7 @@ fn opener(
     })?;
     let gait = if args.booster.gait == GaitArg::Firmware { Gait::Firmware } else { Gait::Own };
     let (domain, limit, standing) = (args.booster.dds_domain, args.seconds, Arc::clone(standing));
+    let frames = args.frames.clone();
     Ok(move || {
         let transport = Dds::open(domain, interface).map_err(|error| {
             Failure::new(error, "is the network up? `--dds-interface` names the interface to the robot")
@@ -96,7 +106,9 @@ fn opener(
         let options = Options { body, gait, client: client(), limit, stop, say };
         let world = BoosterWorld::open(transport, options);
         let world = world.map_err(|error| Failure::new(error.to_string(), "is there memory left?"))?;
-        Ok(Field { world, standing: Arc::clone(&standing) })
+        let images = frames.clone().map(|socket| Images::start(Origin::Socket(socket), say)).transpose();
+        let images = images.map_err(|error| Failure::new(error.to_string(), "is there memory left?"))?;
+        Ok(Field { world, body, eyes: images.map(Eyes::new), view: None, standing: Arc::clone(&standing) })
     })
 }
 
@@ -187,11 +199,10 @@ fn client() -> u64 {
 /// Refuses options that a real robot does not support.
 fn refuse(args: &Play) -> Result<(), Failure> {
     let simulated = args.pictures.is_some() || args.film.is_some() || args.games.is_some() || args.robots > 0;
-    if simulated || args.image.is_some() || args.league.server.is_some() || args.league.against || args.frames.is_some()
-    {
-        let what =
-            "a real Booster has no pictures, films, series, other robots, firmware images, servers and frames here";
-        let help = "leave out --pictures, --film, --games, --robots, --image, --server, --against and --frames";
+    let other = args.image.is_some() || args.cameras.is_some() || args.league.server.is_some() || args.league.against;
+    if simulated || other {
+        let what = "a real Booster has no pictures, films, series, other robots, firmware images, V4L2 cameras and servers here";
+        let help = "leave out --pictures, --film, --games, --robots, --image, --cameras, --server and --against";
         return Err(Failure::new(what, help));
     }
     Ok(())

@@ -110,7 +110,7 @@ pub(crate) struct Play {
     /// `/tmp/robocup`; needs the feature `lola`), or `booster` (a real T1 or K1 through DDS; needs the feature `booster` and `--robot`)
     #[arg(long, value_name = "WORLD", default_value = "built-in", value_parser = WorldParser)]
     pub(crate) world: WorldArg,
-    /// With `--world lola`, socket with the camera images
+    /// With `--world lola` or `booster`, socket with the camera images
     #[arg(long, value_name = "SOCKET")]
     pub(crate) frames: Option<PathBuf>,
     /// With `--world lola`, read the cameras of the robot: device files of the top and the bottom one

@@ -11,6 +11,8 @@ mod calibrate_camera;
 mod cli;
 mod colour_profile;
 pub mod emulator;
+#[cfg(feature = "booster")]
+mod eyes;
 pub mod game;
 #[cfg(feature = "league")]
 mod league;
