@@ -20,6 +20,7 @@
 //! bica-tests`.
 
 pub mod process;
+pub mod random;
 
 use std::path::Path;
 

@@ -1,15 +1,11 @@
 //! Second robot model: taller and heavier than the NAO, with other leg proportions, limits, speeds and motors.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::keyframes::Keyframe;
 use bica_motion::kick::Kicks;
-use bica_motion::model::simulation::{
-    self, Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel, Solid,
-};
+use bica_motion::model::simulation::{self, Disc, Extents, Figure, Lying, Paint, Part, SimulatedModel, Solid};
 use bica_motion::model::{
-    Actuator, ArmGeometry, CameraMount, Dimensions, FallLimits, FeedbackDelay, HeadPitchLimit, HeadSpeed, KickFrame,
-    LegGeometry, Mass, Masses, NAO, Parameters, Profile, Range, RobotModel, Senses, Technique, ThermalLimits,
-    symmetric,
+    Actuator, CameraMount, Dimensions, FallLimits, HeadPitchLimit, HeadSpeed, KickFrame, Mass, Masses, NAO, Parameters,
+    Profile, Range, RobotModel, Technique, ThermalLimits, symmetric,
 };
 use bica_motion::segment::Segment;
 use bica_motion::walk::Velocity;
@@ -18,38 +14,14 @@ use glam::{Vec2, Vec3};
 /// Length relative to the NAO, except that of thigh and tibia.
 const SCALE: f32 = 1.5;
 
-/// A humanoid of 0.87 m and 21 kg without wrists and hands.
+/// A humanoid of 0.87 m and 21 kg. What is not listed is as on the NAO.
 pub(crate) const ROBOT: &RobotModel = &RobotModel {
     id: "tall",
     name: "tall humanoid of the tests",
-    joints: &[
-        Joint::HeadYaw,
-        Joint::HeadPitch,
-        Joint::LShoulderPitch,
-        Joint::LShoulderRoll,
-        Joint::LElbowYaw,
-        Joint::LElbowRoll,
-        Joint::LHipYawPitch,
-        Joint::LHipRoll,
-        Joint::LHipPitch,
-        Joint::LKneePitch,
-        Joint::LAnklePitch,
-        Joint::LAnkleRoll,
-        Joint::RHipRoll,
-        Joint::RHipPitch,
-        Joint::RKneePitch,
-        Joint::RAnklePitch,
-        Joint::RAnkleRoll,
-        Joint::RShoulderPitch,
-        Joint::RShoulderRoll,
-        Joint::RElbowYaw,
-        Joint::RElbowRoll,
-    ],
     limits: &LIMITS,
     max_speeds: &Joints([5.5; 25]),
     actuators: &Joints([MOTOR; 25]),
     dead_time: 0.02,
-    feedback_delay: FeedbackDelay::new(2),
     thermal: ThermalLimits {
         temperature: Range { min: 80.0, max: 90.0 },
         load: Range { min: 2.0, max: 2.5 },
@@ -76,30 +48,16 @@ pub(crate) const ROBOT: &RobotModel = &RobotModel {
         left_pressure: PRESSURE,
         right_pressure: PRESSURE,
     },
-    camera_height: 0.75,
-    body_shape: NAO.body_shape,
     masses: &MASSES,
-    support_force: 120.0,
     fall_limits: FallLimits { backward_pitch: -0.3, forward_pitch: 0.45, roll: 0.4 },
-    stiffness: NAO.stiffness,
     stand: STAND,
-    sit: STAND,
-    sit_stiffness: 0.3,
-    to_stand: &TO_STAND,
-    to_sit: &TO_STAND,
-    get_up: NAO.get_up,
-    fall_postures: NAO.fall_postures,
     kinematic_profile: &PROFILE,
     dynamic_profile: &PROFILE,
-    leg: LegGeometry::SharedYawPitch,
-    leg_lags: None,
-    arm: ArmGeometry::Forward,
-    senses: Senses::ALL,
+    ..*NAO
 };
 
 const STAND: Joints =
     symmetric(0.0, [90.0, 6.990_085, 0.0, -5.729_578, 0.0], [0.0, 0.0, -27.428_39, 70.894_04, -43.465_65, 0.0]);
-const TO_STAND: [Keyframe; 1] = [Keyframe { seconds: 1.5, posture: STAND, stiffness: 1.0 }];
 
 /// Limits of the legs are narrower than the NAO's, except those of the knees.
 const LIMITS: Joints<Range> = {
@@ -164,17 +122,7 @@ pub(crate) const TALL: &SimulatedModel = &SimulatedModel {
         foot_shadow: Disc { ahead: 0.03, radius: 0.18 },
     },
     thermal_ratings: ROBOT.actuators,
-    mujoco: MUJOCO,
-};
-
-const MUJOCO: MujocoModel = MujocoModel {
-    robot: include_str!("tall.xml"),
-    bystander: "<geom type=\"cylinder\" size=\"0.2 0.4\" pos=\"0 0 0.4\" material=\"team\"/>",
-    shells: "<body name=\"Torso\"><geom size=\"0.3\" material=\"team\"/></body>",
-    gains: &Joints([250.0; 25]),
-    torque_limits: &Joints([20.0; 25]),
-    motors_damp: false,
-    shadows: [Vec2::new(0.15, 0.09), Vec2::new(0.2, 0.2)],
+    ..*simulation::NAO
 };
 
 const MASSES: Masses = Masses::symmetric(

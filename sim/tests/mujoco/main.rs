@@ -5,8 +5,6 @@ mod ball;
 #[cfg(feature = "mujoco")]
 mod rising;
 #[cfg(feature = "mujoco")]
-mod second_model;
-#[cfg(feature = "mujoco")]
 mod seeing;
 #[cfg(feature = "mujoco")]
 mod sensing;
@@ -16,9 +14,6 @@ mod soundness;
 mod standing;
 #[cfg(feature = "mujoco")]
 mod support;
-#[cfg(feature = "mujoco")]
-#[path = "../../../tests/motion/tall.rs"]
-mod tall;
 
 /// Placeholder for the tests of this target in a build without the simulator, so that a report counts them as skipped.
 #[cfg(not(feature = "mujoco"))]

@@ -1,11 +1,13 @@
 //! Standing, pushes and falls.
 
 use bica_motion::fall::Direction;
-use bica_motion::model::simulation::NAO;
+use bica_motion::joints::Joint;
+use bica_motion::model::simulation::{HUMANOIDS, NAO};
 use bica_motion::robot::Command;
 use bica_sim::World;
-use bica_sim::mujoco::Physics;
+use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::{Event, Posture};
+use bica_sim::setup::Setup;
 use glam::Vec2;
 
 use crate::support::{alone, blind, stand};
@@ -17,6 +19,23 @@ fn a_standing_robot_does_not_drift() {
     let robot = world.referee().robot();
     assert_eq!(world.referee().posture(), Posture::Upright);
     assert!(robot.position.length() < 0.01 && robot.heading.abs() < 0.02, "{robot:?}");
+}
+
+#[test]
+fn each_humanoid_stands_and_turns_its_head() {
+    for model in HUMANOIDS {
+        let physics = Physics { cameras: false, ..Physics::of(model) };
+        let mut world = MujocoWorld::new(model, &Setup::default(), &physics).unwrap();
+        let mut targets = model.stand;
+        targets[Joint::HeadYaw] = 0.5;
+        (0..500).for_each(|_| world.act(&Command::new(targets, 1.0)));
+        assert_eq!((world.referee().posture(), world.referee().falls()), (Posture::Upright, 0), "{}", model.name);
+        let sensors = world.sensors();
+        for joint in model.joints {
+            let angle = sensors.angles[*joint];
+            assert!((angle - targets[*joint]).abs() < 0.1, "{}: {joint:?} is at {angle}", model.name);
+        }
+    }
 }
 
 #[test]

@@ -2,6 +2,9 @@
 
 use std::fmt;
 use std::io;
+use std::path::Path;
+
+use bica_wire::model::Invalid;
 
 use crate::header::{FORMAT, MONITOR_FORMAT};
 
@@ -52,6 +55,12 @@ pub enum Error {
 impl Error {
     pub(crate) fn damaged(at: u64, what: impl Into<String>) -> Self {
         Self::Damaged { at, what: what.into() }
+    }
+
+    /// Returns the error of reading a file.
+    #[must_use]
+    pub fn of(&self, path: &Path) -> Invalid {
+        Invalid::new(format!("cannot read `{}`: {self}", path.display()), self.help())
     }
 
     /// Returns the remedy.

@@ -26,7 +26,7 @@ struct Source<'a> {
 
 impl<'a> Source<'a> {
     fn open(path: &'a Path) -> Result<Self, Invalid> {
-        let contents = open(path).and_then(Contents::new).map_err(|error| failed(path, &error))?;
+        let contents = open(path).and_then(Contents::new).map_err(|error| error.of(path))?;
         let Some(part) = contents.header.part.clone() else {
             let what = format!("`{}` is not a part of a run", path.display());
             return Err(Invalid::new(what, "give the files that a run with `--split` wrote"));
@@ -55,10 +55,6 @@ impl Source<'_> {
     }
 }
 
-fn failed(path: &Path, error: &Error) -> Invalid {
-    Invalid::new(format!("cannot read `{}`: {error}", path.display()), error.help())
-}
-
 impl RunPart {
     /// Returns whether all files are parts of runs.
     ///
@@ -66,7 +62,7 @@ impl RunPart {
     /// If one cannot be read.
     pub fn are_all(paths: &[PathBuf]) -> Result<bool, Invalid> {
         for path in paths {
-            let contents = open(path).and_then(Contents::new).map_err(|error| failed(path, &error))?;
+            let contents = open(path).and_then(Contents::new).map_err(|error| error.of(path))?;
             if contents.header.part.is_none() {
                 return Ok(false);
             }
@@ -132,7 +128,7 @@ impl<W: Write> Joined<W> {
     /// Adds all messages of a part.
     fn add(&mut self, mut source: Source<'_>) -> Result<(), Invalid> {
         loop {
-            let part = source.contents.next().map_err(|error| failed(source.path, &error))?;
+            let part = source.contents.next().map_err(|error| error.of(source.path))?;
             match part {
                 Part::End => break,
                 Part::Chunk => self.copy.chunk(),
@@ -142,7 +138,7 @@ impl<W: Write> Joined<W> {
                     self.copy.message(channel, message, |_| true)
                 }
             }
-            .map_err(|error| failed(source.path, &error))?;
+            .map_err(|error| error.of(source.path))?;
         }
         self.copy.ending = source.contents.ending;
         self.dropped += self.copy.ending.as_ref().map_or(0, |ending| ending.dropped_images);
@@ -154,7 +150,7 @@ impl<W: Write> Joined<W> {
         match channel {
             Channel::Tree => self.tree.clone_from(&message.data),
             Channel::Tick => {
-                let Tick { cycle, .. } = decode(message).map_err(|error| failed(path, &error))?;
+                let Tick { cycle, .. } = decode(message).map_err(|error| error.of(path))?;
                 let expected = self.next.replace(cycle + 1).unwrap_or(cycle);
                 if cycle != expected {
                     let what = format!("cycle {expected} is missing before cycle {cycle} of `{}`", path.display());

@@ -42,10 +42,6 @@ struct Robot<'a> {
     next: Option<(Channel, Message)>,
 }
 
-fn failed(path: &Path, error: &Error) -> Invalid {
-    Invalid::new(format!("cannot read `{}`: {error}", path.display()), error.help())
-}
-
 impl<'a> Robots<'a> {
     /// Opens recordings of several robots. The name of a file, without its folder and extension, is the name of its robot.
     /// Without `topics` each robot has the topics of its header, or the standard topics if there are none.
@@ -100,7 +96,7 @@ fn name_of(path: &Path) -> String {
 
 impl<'a> Robot<'a> {
     fn open(path: &'a Path, topics: Option<Topics>) -> Result<Self, Invalid> {
-        let failed = |error| failed(path, &error);
+        let failed = |error: Error| error.of(path);
         let mut source = open(path).map_err(failed)?;
         let first = first_time(&mut source).map_err(failed)?;
         source.rewind().map_err(|error| failed(error.into()))?;
@@ -135,7 +131,7 @@ impl<'a> Robot<'a> {
     /// Reads the next message.
     fn advance(&mut self, copied: &mut Copied) -> Result<(), Invalid> {
         self.next = loop {
-            match self.contents.next().map_err(|error| failed(self.path, &error))? {
+            match self.contents.next().map_err(|error| error.of(self.path))? {
                 Part::Message(channel, message) => {
                     copied.cycles += u64::from(channel == Channel::Tick);
                     break Some((channel, message));

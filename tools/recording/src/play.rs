@@ -89,11 +89,7 @@ pub fn play<R: Recordable>(
 }
 
 fn open(path: &Path) -> Result<Recording<BufReader<File>>, Invalid> {
-    Recording::open(path).map_err(|error| failed(path, &error))
-}
-
-fn failed(path: &Path, error: &Error) -> Invalid {
-    Invalid::new(format!("cannot read `{}`: {error}", path.display()), error.help())
+    Recording::open(path).map_err(|error| error.of(path))
 }
 
 /// Refuses a recording of another tree, or one whose outputs have another form: monitors get the description of this program.
@@ -136,7 +132,7 @@ impl<R: Recordable, G: Fn() -> bool> Playing<'_, R, G> {
                     self.played.damage = Some(error.to_string());
                     break;
                 }
-                Err(error) => return Err(failed(self.options.path, &error)),
+                Err(error) => return Err(error.of(self.options.path)),
             };
             let instant = recorded.tick.instant;
             let t = header.seconds_since(*first.get_or_insert(instant), instant);

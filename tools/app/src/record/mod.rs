@@ -63,7 +63,7 @@ struct InfoReport<'a> {
 
 fn info(args: &InfoArgs) -> Result<Outcome, Failure> {
     let console = Console::new(args.json);
-    let info = Info::read(open(&args.file)?).map_err(|error| failure(&args.file, &error))?;
+    let info = Info::read(open(&args.file)?).map_err(|error| error.of(&args.file))?;
     print(console, &info)?;
     let file = args.file.display().to_string();
     console.print_json(&InfoReport { schema: "bica/recording/1", file, info: &info })?;
@@ -169,7 +169,7 @@ fn rewrite(
     copy: impl FnOnce(BufReader<File>, &mut BufWriter<File>) -> Result<Copied, Error>,
 ) -> Result<Outcome, Failure> {
     let source = open(&args.file)?;
-    let copy = |target: &mut _| copy(source, target).map_err(|error| failure(&args.file, &error));
+    let copy = |target: &mut _| copy(source, target).map_err(|error| error.of(&args.file).into());
     write(&args.out, std::slice::from_ref(&args.file), done, copy)
 }
 
@@ -222,9 +222,5 @@ fn is_same_file(one: &Path, two: &Path) -> bool {
 }
 
 fn open(path: &Path) -> Result<BufReader<File>, Failure> {
-    bica_recording::open(path).map_err(|error| failure(path, &error))
-}
-
-fn failure(path: &Path, error: &Error) -> Failure {
-    Failure::of_path("read", path, error, error.help())
+    Ok(bica_recording::open(path).map_err(|error| error.of(path))?)
 }

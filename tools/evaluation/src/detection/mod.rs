@@ -3,7 +3,6 @@
 mod annotation;
 mod colour_table;
 mod detections;
-mod json_line;
 mod report;
 mod see;
 

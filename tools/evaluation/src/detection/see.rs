@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use bica_app::{Console, Failure, Outcome};
 use clap::Args;
 
-use super::json_line::JsonLine;
 use super::report::{skipped_row, table_row};
 use super::{ColourTable, DetectionOptions, Folder};
 use crate::labels::Labels;
@@ -36,7 +35,7 @@ pub fn see(SeeOptions { detection: options, score }: &SeeOptions) -> Result<Outc
                 score.count(&detections, pose);
             }
             if console.is_json() {
-                console.print_json_line(&JsonLine::new(&detections))
+                console.print_json_line(&detections)
             } else {
                 console.print(&table_row(&detections))
             }

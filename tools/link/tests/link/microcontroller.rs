@@ -10,12 +10,12 @@ use std::time::{Duration, Instant};
 use bica::runner::{Request, Runner};
 use bica::{Blob, Format, Hold, Setting, Tree, Value};
 use bica_link::{Address, Client, ClientOptions, Error, Event, decode_output};
-use bica_wire::message::{self, Change, FromMonitor, LeaseAction};
+use bica_wire::message::{self, Change, FromMonitor, LeaseAction, RefusalCode};
 use bica_wire::server::{Moment, MonitorServer, SerialLine};
 use bica_wire::{Encoder, ToRobot};
 
 use crate::robot::{CART, CartTree};
-use crate::session::{LIMIT, snapshot};
+use crate::session::{LIMIT, refusal, snapshot};
 
 /// Index of `Range`.
 const RANGE: usize = 1;
@@ -88,6 +88,19 @@ fn any_tree_is_watched_tuned_and_held() {
     assert_eq!(set(&mut client, 1.5).unwrap(), [Value::F32(1.5)]);
     let Err(Error::Refused { text, .. }) = set(&mut client, 2.5) else { panic!("2.5 is outside the range") };
     assert_eq!(text, "`Cart.gain`: outside the range");
+    let hold = Request::Hold { component: CART, hold: Hold::Active };
+    let lease = client.lease().lease;
+    for (lease, expires_us, code) in
+        [(lease.wrapping_sub(1), u64::MAX, RefusalCode::NoLease), (lease, 0, RefusalCode::Expired)]
+    {
+        let number = client.send_request_with(hold, lease, expires_us).unwrap();
+        assert_eq!(refusal(client.answer(number)).0, code);
+    }
+    // Each of many requests at once is answered.
+    let wrong = Request::Modulate { component: CART, modulation: 0, arguments: &[] };
+    for number in [(); 100].map(|()| client.send_request(wrong).unwrap()) {
+        assert_eq!(refusal(client.answer(number)).0, RefusalCode::Tree);
+    }
     client.request(Request::Hold { component: CART, hold: Hold::Latent }).unwrap();
     snapshot(&mut client, "the hold", |snapshot| snapshot.states[0].held == Hold::Latent);
     client.release().unwrap();
@@ -95,24 +108,51 @@ fn any_tree_is_watched_tuned_and_held() {
     assert_eq!(client.damaged(), 0);
 }
 
+/// The server of two lines, and its tree.
+struct Served(MonitorServer<2>, CartTree);
+
+impl Served {
+    fn receive(&mut self, line: usize, ms: u64, message: &FromMonitor) {
+        let now = bica::Instant::from_millis(ms);
+        let moment = Moment { robot: Some(now), clock: now, random: ms };
+        let bytes = postcard::to_stdvec(message).unwrap();
+        self.0.receive(line, &ToRobot::Monitor(&bytes), &mut &mut self.1, &moment);
+        // An answer is sent before the next message is handled.
+        while self.0.next_packet(line, &self.1, &mut Encoder::new(), &mut [0; 1280]).is_some() {}
+    }
+
+    fn request(&mut self, line: usize, ms: u64, lease: u64, hold: Hold) -> Hold {
+        let change = Change::Hold { component: CART, hold };
+        self.receive(
+            line,
+            ms,
+            &FromMonitor::Request(message::Request { number: 1, lease, expires_us: u64::MAX, change }),
+        );
+        self.held_at(ms)
+    }
+
+    fn held_at(&mut self, ms: u64) -> Hold {
+        self.0.before_cycle(&mut &mut self.1, bica::Instant::from_millis(ms));
+        self.1.status(CART).unwrap().held
+    }
+}
+
 #[test]
 fn silence_of_the_operator_ends_its_holds() {
-    let (mut tree, mut server) = (CartTree::new(), MonitorServer::<1>::new());
-    let receive = |server: &mut MonitorServer<1>, tree: &mut CartTree, ms, message: &FromMonitor| {
-        let now = bica::Instant::from_millis(ms);
-        let moment = Moment { robot: Some(now), clock: now, random: 7 };
-        let bytes = postcard::to_stdvec(message).unwrap();
-        server.receive(0, &ToRobot::Monitor(&bytes), &mut &mut *tree, &moment);
-        // An answer is sent before the next message is handled.
-        while server.next_packet(0, tree, &mut Encoder::new(), &mut [0; 1280]).is_some() {}
-    };
-    receive(&mut server, &mut tree, 0, &FromMonitor::Lease(LeaseAction::Acquire));
-    let change = Change::Hold { component: CART, hold: Hold::Latent };
-    let request = message::Request { number: 1, lease: 7, expires_us: u64::MAX, change };
-    receive(&mut server, &mut tree, 1000, &FromMonitor::Request(request));
-    let mut held_at = |ms| {
-        server.before_cycle(&mut &mut tree, bica::Instant::from_millis(ms));
-        tree.status(CART).unwrap().held
-    };
-    assert_eq!([3999, 4001].map(&mut held_at), [Hold::Latent, Hold::Tree]);
+    let mut served = Served(MonitorServer::new(), CartTree::new());
+    served.receive(0, 7, &FromMonitor::Lease(LeaseAction::Acquire));
+    served.request(0, 1000, 7, Hold::Latent);
+    assert_eq!([3999, 4001].map(|ms| served.held_at(ms)), [Hold::Latent, Hold::Tree]);
+}
+
+#[test]
+fn two_lines_have_one_lease() {
+    let mut served = Served(MonitorServer::new(), CartTree::new());
+    served.receive(0, 7, &FromMonitor::Lease(LeaseAction::Acquire));
+    served.receive(1, 8, &FromMonitor::Lease(LeaseAction::Acquire));
+    assert_eq!(served.request(1, 8, 7, Hold::Latent), Hold::Tree, "it is the lease of the other line");
+    assert_eq!(served.request(0, 8, 7, Hold::Latent), Hold::Latent);
+    served.receive(1, 9, &FromMonitor::Lease(LeaseAction::Take));
+    assert_eq!(served.request(0, 9, 7, Hold::Active), Hold::Latent, "the lease was taken; its hold stays");
+    assert_eq!(served.request(1, 9, 9, Hold::Tree), Hold::Tree);
 }

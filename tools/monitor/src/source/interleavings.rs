@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use bica_test_data::random::Random;
 use bica_vicode::{Edit, Folder};
 
 use super::files::Files;
@@ -14,18 +15,6 @@ use crate::protocol::KeepSide;
 /// Number of functions that are edited.
 const FUNCTIONS: usize = 4;
 const NAME: &str = "machine.rs";
-
-/// Pseudo-random numbers (xorshift), so that a failure can be reproduced.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % limit as u64) as usize
-    }
-}
 
 /// An open file without threads: the test decides when it is compared with the disk and saved. Its folder is removed at the end.
 struct Bench {
@@ -126,7 +115,7 @@ impl Bench {
 
 /// Runs one interleaving; returns whether it ended in a conflict.
 fn interleave(seed: u64) -> bool {
-    let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
+    let mut random = Random::new(seed);
     let mut bench = Bench::new();
     for number in 0..3 + random.below(10) {
         let function = random.below(FUNCTIONS);

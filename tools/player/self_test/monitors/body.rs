@@ -4,7 +4,6 @@ use std::error::Error;
 use std::net::SocketAddr;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
@@ -15,8 +14,8 @@ use bica_field::GoalColour;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
 use bica_player_program::emulator::{Emulator, Transport, command_bits, decode_command};
-use bica_wire::message::{AnswerResult, Change, ClockMode, LeaseState};
-use bica_wire::{FromMonitor, FromRobot, ToMonitor, ToRobot};
+use bica_wire::FromRobot;
+use bica_wire::message::{Change, ClockMode};
 
 use crate::session::{self, standing, stands};
 
@@ -31,22 +30,12 @@ pub(super) struct Cycle {
     pub(super) active: u64,
 }
 
-/// Message that a monitor on the body's line received.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Received {
-    Lease(LeaseState),
-    /// Number of a request, and whether it was done.
-    Answer(u32, bool),
-}
-
 /// A standing body.
 pub(super) struct Body {
     pub(super) monitors: SocketAddr,
     cycles: Arc<Mutex<Vec<Cycle>>>,
     stop: Arc<AtomicBool>,
     thread: JoinHandle<Result<(), String>>,
-    to_robot: Sender<FromMonitor>,
-    from_robot: Receiver<Received>,
 }
 
 impl Body {
@@ -57,26 +46,9 @@ impl Body {
         robot.link().receive(|message| matches!(message, FromRobot::Identity(_)).then_some(()))?;
         session::start_game(&mut robot, ClockMode::Lockstep)?;
         let (cycles, stop) = (Arc::new(Mutex::new(Vec::new())), Arc::new(AtomicBool::new(false)));
-        let ((to_robot, requests), (answers, from_robot)) = (channel(), channel());
         let (list, stopped) = (Arc::clone(&cycles), Arc::clone(&stop));
-        let thread = thread::spawn(move || {
-            run(&mut robot, &list, &stopped, &requests, &answers).map_err(|error| error.to_string())
-        });
-        Ok(Self { monitors, cycles, stop, thread, to_robot, from_robot })
-    }
-
-    /// Sends a message of a monitor over the body's line.
-    pub(super) fn send(&self, message: FromMonitor) -> Result<(), Box<dyn Error>> {
-        Ok(self.to_robot.send(message)?)
-    }
-
-    /// Waits for a message to the monitor on the body's line.
-    pub(super) fn receive<T>(&self, mut select: impl FnMut(Received) -> Option<T>) -> Result<T, Box<dyn Error>> {
-        loop {
-            if let Some(selected) = select(self.from_robot.recv_timeout(super::PATIENCE)?) {
-                return Ok(selected);
-            }
-        }
+        let thread = thread::spawn(move || run(&mut robot, &list, &stopped).map_err(|error| error.to_string()));
+        Ok(Self { monitors, cycles, stop, thread })
     }
 
     /// Number of cycles so far.
@@ -104,19 +76,9 @@ impl Body {
     }
 }
 
-fn run(
-    robot: &mut Emulator,
-    cycles: &Mutex<Vec<Cycle>>,
-    stop: &AtomicBool,
-    requests: &Receiver<FromMonitor>,
-    answers: &Sender<Received>,
-) -> Result<(), Box<dyn Error>> {
+fn run(robot: &mut Emulator, cycles: &Mutex<Vec<Cycle>>, stop: &AtomicBool) -> Result<(), Box<dyn Error>> {
     let mut time_us = 0;
     while !stop.load(Ordering::Relaxed) {
-        for message in requests.try_iter() {
-            let mut bytes = [0; 512];
-            robot.link().send(&ToRobot::Monitor(postcard::to_slice(&message, &mut bytes)?))?;
-        }
         robot.link().send(&stands(time_us).message())?;
         let mut command = Vec::new();
         let active = robot.link().receive(|message| match message {
@@ -125,11 +87,6 @@ fn run(
                 None
             }
             FromRobot::Telemetry(telemetry) if telemetry.time_us == time_us => Some(telemetry.active),
-            FromRobot::Monitor(bytes) => {
-                // The receiver is closed when its test has ended.
-                let _ = received(bytes).map(|message| answers.send(message));
-                None
-            }
             _ => None,
         })?;
         cycles.lock().unwrap_or_else(PoisonError::into_inner).push(Cycle { command, active });
@@ -137,16 +94,6 @@ fn run(
         thread::sleep(Duration::from_micros(CYCLE_US));
     }
     Ok(())
-}
-
-fn received(bytes: &[u8]) -> Option<Received> {
-    match postcard::from_bytes(bytes).ok()? {
-        ToMonitor::Lease(lease) => Some(Received::Lease(lease)),
-        ToMonitor::Answer(answer) => {
-            Some(Received::Answer(answer.number, matches!(answer.result, AnswerResult::Done { .. })))
-        }
-        _ => None,
-    }
 }
 
 /// Requires that the same cycles on the host, with the same changes before the cycles of these numbers, give the same commands.

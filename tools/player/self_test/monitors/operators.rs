@@ -1,16 +1,14 @@
 //! Tests of monitors that operate the robot.
 
 use std::path::Path;
-use std::time::Duration;
 
 use bica::{ComponentId, Tree};
-use bica_link::{Answered, Client, Error, Event};
+use bica_link::{Answered, Client, Event};
 use bica_player::motion::Head;
 use bica_player::tunable::Forward;
-use bica_wire::FromMonitor;
-use bica_wire::message::{Change, Hold, LeaseAction, RefusalCode, Request, Setting, Value};
+use bica_wire::message::{Change, Hold, Setting, Value};
 
-use super::body::{Body, CYCLE_US, Cycle, Received, compare_with_host, first_difference};
+use super::body::{Body, CYCLE_US, Cycle, compare_with_host, first_difference};
 use super::{Outcome, attach, expect};
 use crate::session::expect_eq;
 
@@ -99,91 +97,4 @@ fn tuned_colours(client: &mut Client) -> Result<bool, Box<dyn std::error::Error>
     }
     client.watch_info(component, info, 0)?;
     Ok(true)
-}
-
-pub(super) fn refusals(image: &Path) -> Outcome {
-    let body = Body::start(image)?;
-    let mut client = attach(body.monitors)?;
-    let change = set(&client, "Head.stiffness", Value::F32(0.4))?;
-    expect_refused(&client.request(change.borrow()), RefusalCode::NoLease, "lease")?;
-    client.acquire(false)?;
-    let lease = client.lease().lease;
-    let stale = client.send_request_with(change.borrow(), lease.wrapping_sub(1), u64::MAX)?;
-    expect_refused(&client.answer(stale), RefusalCode::NoLease, "lease")?;
-    let expired = client.send_request_with(change.borrow(), lease, 0)?;
-    expect_refused(&client.answer(expired), RefusalCode::Expired, "expiry")?;
-    let outside = set(&client, "Head.stiffness", Value::F32(7.0))?;
-    expect_refused(&client.request(outside.borrow()), RefusalCode::Tree, "`Head.stiffness`: outside the range")?;
-    let kind = set(&client, "Head.stiffness", Value::Bool(true))?;
-    expect_refused(&client.request(kind.borrow()), RefusalCode::Tree, "another kind")?;
-    let Change::Params(mut batch) = change else { return Err("no batch".into()) };
-    let _ = batch.push(Setting::new(ComponentId::new(999), 0, Value::F32(0.0)));
-    expect_refused(&client.request(bica::runner::Request::Params(&batch)), RefusalCode::Tree, "no such component")?;
-    let hold = Change::Hold { component: ComponentId::new(999), hold: Hold::Active };
-    expect_refused(&client.request(hold.borrow()), RefusalCode::Tree, "no such component")?;
-    // Sends many requests at once: each must be answered.
-    let modulate = Change::Modulate { component: head(), modulation: 0, arguments: [].into_iter().collect() };
-    let numbers: Vec<_> = (0..100).map(|_| client.send_request(modulate.borrow())).collect::<Result<_, _>>()?;
-    for number in numbers {
-        expect_refused(&client.answer(number), RefusalCode::Tree, "arguments")?;
-    }
-    compare_with_host(&body.stop()?, &[])
-}
-
-fn expect_refused(answer: &Result<Answered, Error>, expected: RefusalCode, part: &str) -> Outcome {
-    match answer {
-        Err(Error::Refused { code, text, .. }) if *code == expected && text.contains(part) => Ok(()),
-        other => Err(format!("{other:?}, expected a refusal {expected:?} with `{part}`").into()),
-    }
-}
-
-/// Sends a lease action on the body's line. Waits for a lease with this value of `yours`, and returns its number.
-fn lease(body: &Body, action: LeaseAction, yours: bool) -> Result<u64, Box<dyn std::error::Error>> {
-    body.send(FromMonitor::Lease(action))?;
-    body.receive(|message| match message {
-        Received::Lease(lease) if lease.owned && lease.yours == yours => Some(lease.lease),
-        _ => None,
-    })
-}
-
-pub(super) fn two(image: &Path) -> Outcome {
-    let body = Body::start(image)?;
-    let mut client = attach(body.monitors)?;
-    client.acquire(false)?;
-    let first = client.lease().lease;
-    let hold = Change::Hold { component: head(), hold: Hold::Active };
-    let held = client.request(hold.borrow())?.cycle;
-    body.send(FromMonitor::Attach)?;
-    expect_eq(&lease(&body, LeaseAction::Acquire, false)?, &0)?;
-    let request = |number, lease| {
-        let change = Change::Hold { component: head(), hold: Hold::Tree };
-        FromMonitor::Request(Request { number, lease, expires_us: u64::MAX, change })
-    };
-    let answer = |wanted| {
-        body.receive(move |message| match message {
-            Received::Answer(number, done) if number == wanted => Some(done),
-            _ => None,
-        })
-    };
-    body.send(request(1, first))?;
-    expect_eq(&answer(1)?, &false)?;
-    let second = lease(&body, LeaseAction::Take, true)?;
-    expect(second != first, "a new number")?;
-    while client.lease().yours {
-        client.poll(Duration::from_millis(100))?;
-    }
-    expect_refused(&client.request(hold.borrow()), RefusalCode::NoLease, "lease")?;
-    expect(client.acquire(false).is_err(), "the lease is owned")?;
-    body.wait_for(GUARDED.max(held) as usize + 5)?;
-    let before = body.count() as u64;
-    body.send(request(2, second))?;
-    expect_eq(&answer(2)?, &true)?;
-    let count = body.count();
-    body.wait_for(count + 5)?;
-    let cycles = body.stop()?;
-    // The hold must end by the request, not by the change of the lease's owner.
-    let ended = head_is(false, &cycles, GUARDED.max(held))?;
-    expect((before..before + 5).contains(&ended), &format!("the hold ended in {ended}, requested after {before}"))?;
-    let release = Change::Hold { component: head(), hold: Hold::Tree };
-    compare_with_host(&cycles, &[(held, hold), (ended, release)])
 }

@@ -1,7 +1,7 @@
 //! Games: reproducible, and printed as text and as JSON.
 
 use bica_recording::Recording;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::process::{Folder, Ran, run, without_wall};
 
@@ -13,20 +13,6 @@ fn game(args: &[&str]) -> Value {
 
 fn code_of(printed: &Value) -> i32 {
     i32::from(printed["result"] != "goal")
-}
-
-#[test]
-#[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_games_do_not_depend_on_the_number_of_threads() {
-    let games =
-        |threads| game(&["play", "--seed", "5", "--games", "5", "--seconds", "3", "--json", "--threads", threads]);
-    let one = games("1");
-    assert_eq!(one, games("2"));
-    assert_eq!(one, games("7"));
-    let seeds: Vec<&Value> = one["games"].as_array().unwrap().iter().map(|game| &game["seed"]).collect();
-    assert_eq!(json!(seeds), json!([5, 6, 7, 8, 9]));
-    let alone = game(&["--seed", "7", "--seconds", "3", "--json"]);
-    assert_eq!(one["games"][2]["fingerprint"], alone["fingerprint"]);
 }
 
 #[test]

@@ -33,21 +33,6 @@ pub(crate) fn finish(mut served: Served) -> String {
 }
 
 #[test]
-fn wrong_addresses_are_errors() {
-    for (args, error) in [
-        (&["play", "--serve", "0.0.0.0:0"][..], "--listen-anywhere"),
-        (&["play", "--serve", "nowhere"], "HOST:PORT"),
-        (&["play", "--serve", "/dev/no-such-line"], "no link at /dev/no-such-line"),
-        (&["link", "127.0.0.1:1", "describe"], "no link at 127.0.0.1:1"),
-        (&["play", "--unpaced"], "--serve"),
-    ] {
-        let ran = run(args);
-        assert_eq!(ran.code, Some(2), "{args:?}");
-        assert!(ran.stderr.contains(error), "{args:?}: {}", ran.stderr);
-    }
-}
-
-#[test]
 fn a_served_world_is_shown() {
     let (game, folder) = (small_game(&[]), crate::process::Folder::new("link-images"));
     let args = ["watch", "--conditions", "Player", "--costs", "--truth", "--images", folder.text(), "--count", "130"];

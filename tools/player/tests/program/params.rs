@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::process::{Folder, Ran, refused, run};
+use crate::process::{Folder, refused, run};
 
 /// Returns the value and the source of `FaceBall.gain`.
 fn gain(args: &[&str]) -> (String, Value) {
@@ -14,10 +14,6 @@ fn gain(args: &[&str]) -> (String, Value) {
     assert!(rows.iter().all(|row| row["component"] == "FaceBall"));
     let gain = rows.iter().find(|row| row["name"] == "gain").expect("a parameter");
     (gain["value"].as_str().expect("a text").to_owned(), gain["source"].clone())
-}
-
-fn short_game(args: &[&str]) -> Ran {
-    run(&[&["--seed", "1", "--size", "160x120", "--seconds", "5", "--json"], args].concat())
 }
 
 #[test]
@@ -95,26 +91,6 @@ fn inexpressible_profile_is_refused() {
     changed("saturation = [0, 8]", "saturation = [1, 8]", &["`white` has other limits"]);
     changed("hue = [119, 145]", "hue = [119]", &["line", "`hue = [119]`"]);
     refused(&["params", "--profile", "nao2010"], &["nao2010", "built-in, nao2009 and darwin2013"]);
-}
-
-#[test]
-fn tune_files_then_the_command_line_decide() {
-    let folder = Folder::new("tune-layers");
-    fs::write(folder.file("built-in.toml"), "[FaceBall]\ngain = 0.5\n").unwrap();
-    fs::write(folder.file("rob.toml"), "[FaceBall]\ngain = 0.6\n").unwrap();
-    let tune = ["--tune", folder.text()];
-    let of_world = format!("{} line 2", folder.file("built-in.toml"));
-    assert_eq!(gain(&tune), ("0.5".to_owned(), of_world.into()));
-    let robot = [&tune[..], &["--robot", "rob"]].concat();
-    let of_robot = format!("{} line 2", folder.file("rob.toml"));
-    assert_eq!(gain(&robot), ("0.6".to_owned(), of_robot.into()));
-    assert_eq!(gain(&[&robot[..], &["--set", "FaceBall.gain=0.8"]].concat()).0, "0.8");
-    refused(&[&["params", "--kind", "other"][..], &tune].concat(), &["other.toml", "help: "]);
-    let fingerprint = |args: &[&str]| short_game(args).json()["fingerprint"].clone();
-    let (plain, tuned) = (fingerprint(&[]), fingerprint(&tune));
-    assert_ne!(plain, tuned);
-    assert_eq!(tuned, fingerprint(&["--set", "FaceBall.gain=0.5"]));
-    assert_eq!(plain, fingerprint(&["--set", "FaceBall.gain=0.7"]));
 }
 
 #[test]

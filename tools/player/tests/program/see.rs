@@ -21,7 +21,8 @@ fn json_lines_have_the_documented_fields() {
     assert_eq!((ran.code, ran.stderr.as_str()), (Some(0), ""));
     let lines = ran.lines();
     assert_eq!((&lines[0]["file"], &lines[1]["file"], lines.len()), (&"1.png".into(), &"2.png".into(), 2));
-    assert_eq!(keys(&lines[1]), ["ball", "circle", "crossings", "field_end", "file", "goals", "lines", "ms", "robots"]);
+    let fields = ["ball", "circle", "crossings", "field_end", "file", "goals", "lines", "pose", "robots", "wall_ms"];
+    assert_eq!(keys(&lines[1]), fields);
     assert_eq!(keys(&lines[1]["ball"]), ["confidence", "ground", "radius", "x", "y"]);
     assert!(lines[0]["ball"].is_null() && lines[1]["ball"]["ground"].is_null());
     assert!(lines.iter().all(|line| line["field_end"][0][1].as_f64().is_some_and(|row| (row - 60.0).abs() < 4.0)));

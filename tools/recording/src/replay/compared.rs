@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::run::Run;
-use super::{FileRecording, ReplayOptions, of_file};
+use super::{FileRecording, ReplayOptions};
 use crate::compare::Comparison;
 use crate::error::Error;
 use crate::recording::RecordedCycle;
@@ -41,7 +41,7 @@ impl Compared {
                     break None;
                 }
                 Err(error @ (Error::CutOff { .. } | Error::Damaged { .. })) => break Some(error),
-                Err(error) => return Err(of_file(options.path, &error)),
+                Err(error) => return Err(error.of(options.path)),
             };
             let first = *first.get_or_insert(recorded.tick.instant);
             (self.before.first_instant, self.after.first_instant) = (first, first);

@@ -16,7 +16,6 @@ use bica_wire::model::Invalid;
 use serde::Serialize;
 
 use crate::compare::{Comparison, Decision, Difference};
-use crate::error::Error;
 use crate::header::{Header, ImagePolicy};
 use crate::program::Program;
 use crate::recording::Recording;
@@ -187,7 +186,7 @@ fn report(
 
 /// Opens a recording of a run. A recording of a monitor is refused, because it cannot be repeated or compared.
 fn open(path: &Path) -> Result<FileRecording, Invalid> {
-    let recording = FileRecording::open(path).map_err(|error| of_file(path, &error))?;
+    let recording = FileRecording::open(path).map_err(|error| error.of(path))?;
     let Some(monitor) = &recording.header().monitor else { return Ok(recording) };
     let (path, address) = (path.display(), &monitor.address);
     let what = format!(
@@ -200,9 +199,4 @@ fn open(path: &Path) -> Result<FileRecording, Invalid> {
 /// Refuses to run a part again that is not the first one of its run.
 fn check_start(path: &Path, header: &Header) -> Result<(), Invalid> {
     header.part.as_ref().map_or(Ok(()), |part| part.check_first(path))
-}
-
-/// Returns the error for a file that cannot be read.
-fn of_file(path: &Path, error: &Error) -> Invalid {
-    Invalid::new(format!("cannot read `{}`: {error}", path.display()), error.help())
 }

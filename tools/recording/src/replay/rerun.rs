@@ -8,7 +8,7 @@ use bica_wire::Recordable;
 use bica_wire::message::LogSource;
 
 use super::run::Again;
-use super::{Subject, check_start, of_file, open, subject};
+use super::{Subject, check_start, open, subject};
 use crate::error::Error;
 use crate::header::{Header, ImagePolicy};
 use crate::message::LogLine;
@@ -53,7 +53,7 @@ where
         let recorded = match recording.next_cycle() {
             Ok(Some(recorded)) => recorded,
             Ok(None) | Err(Error::CutOff { .. } | Error::Damaged { .. }) => break,
-            Err(error) => return Err(of_file(path, &error)),
+            Err(error) => return Err(error.of(path)),
         };
         let instant = recorded.tick.instant;
         let t = header.seconds_since(*first.get_or_insert(instant), instant);

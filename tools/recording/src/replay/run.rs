@@ -11,7 +11,7 @@ use bica_wire::Recordable;
 use crc32fast::Hasher;
 
 use super::subject::{RepeatedWorld, Subject};
-use super::{FileRecording, of_file, open};
+use super::{FileRecording, open};
 use crate::digest::RunningFingerprint;
 use crate::header::Header;
 use crate::message::RunEvent;
@@ -57,7 +57,7 @@ impl<'a> Other<'a> {
 
 impl Run for Other<'_> {
     fn next(&mut self, _recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Invalid> {
-        self.recording.next_cycle().map_err(|error| of_file(self.path, &error))
+        self.recording.next_cycle().map_err(|error| error.of(self.path))
     }
 
     fn program(&self) -> Option<Program> {

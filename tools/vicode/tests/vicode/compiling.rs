@@ -6,13 +6,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use bica_test_data::random::Random;
 use bica_vicode::Document;
 use serde_json::Value;
 
 use crate::agreement::agrees;
 use crate::editing::edit;
 use crate::machines::{PARTS, machine};
-use crate::random::Random;
 use crate::sources;
 
 /// Returns a machine after random edits, if the rules of the macro find no mistake in it.

@@ -3,13 +3,13 @@
 use std::fs;
 
 use bica_test_data::process::Folder as Scratch;
+use bica_test_data::random::Random;
 use bica_vicode::model::{Component, Model};
 use bica_vicode::{Document, Edit, Folder, Refusal};
 use serde_json::json;
 
 use crate::abstraction::Abstract;
 use crate::machines::{BODIES, CHILDREN, CONDITIONS, machine, namesakes};
-use crate::random::Random;
 use crate::sources;
 
 /// Edits with their fields; likelier ones are listed twice.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::random::Random;
+use bica_test_data::random::Random;
 
 /// Children that machines link to; all are in `crate::parts`.
 pub(crate) const CHILDREN: [&str; 6] = ["Ball", "Head", "Eye<4>", "Body", "Legs", "Net"];

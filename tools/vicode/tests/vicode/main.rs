@@ -16,7 +16,6 @@ mod imports;
 mod keeping;
 mod machines;
 mod merging;
-mod random;
 mod reading;
 mod renaming;
 mod results;

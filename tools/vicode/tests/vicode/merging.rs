@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use bica_test_data::random::Random;
 use bica_vicode::{Document, Edit, External, Keep};
 
 use crate::editing::edit;
 use crate::machines::machine;
-use crate::random::Random;
 
 /// The text of each function by its name.
 fn functions(text: &str) -> BTreeMap<String, String> {

@@ -2,10 +2,10 @@
 
 use bica::prelude::*;
 use bica::runner::harness::Harness;
+use bica_test_data::random::Random;
 use bica_vicode::read;
 use bica_vicode::trial::{Place, Step, Tree as TreePath, Trial};
 
-use crate::random::Random;
 use crate::sources;
 
 /// A machine whose conditions are switches, at several rates.

@@ -50,17 +50,6 @@ fn foreign_edit_appears_and_can_be_undone() {
     assert_eq!(sources.read("player.rs"), PLAYER);
 }
 
-#[test]
-fn edits_at_different_places_are_merged() {
-    let (sources, view) = Sources::shown();
-    view.type_behind("player.rs", "let _ = ", "2 + ").unwrap();
-    sources.write("player.rs", &PLAYER.replace("/// Looks.", "/// Looks far."));
-    let both = PLAYER.replace("/// Looks.", "/// Looks far.").replace("= 1", "= 2 + 1");
-    view.until("player.rs", "both", |shown| shown.text == both);
-    view.until_saved("player.rs");
-    assert_eq!(sources.read("player.rs"), both);
-}
-
 /// Edits the same word on the page and in the file; returns the text of the file.
 fn conflict(sources: &Sources, view: &View) -> String {
     view.type_behind("player.rs", "let _ = ", "2").unwrap();

@@ -343,17 +343,3 @@ async fn speed_of_the_designer_is_measured() {
     println!("an edit is answered after {} ms", page.run(&format!("return (async () => {{ {edited} }})()")).await);
     page.close().await;
 }
-
-/// Only requested changes are written.
-#[tokio::test]
-async fn opening_and_closing_changes_no_file() {
-    let source = small_crate("same");
-    let server = Server::with_sources("same", &source);
-    let page = open_legs(&server).await;
-    page.click("button", "Ball", "Sources").await;
-    page.reads("is_seen").await;
-    page.close().await;
-    assert_eq!(source.read("src/parts.rs"), PARTS);
-    let files = |folder: &Path| fs::read_dir(folder).expect("a folder").count();
-    assert_eq!((files(&source.path("")), files(&source.path("src"))), (2, 2), "no file is added");
-}

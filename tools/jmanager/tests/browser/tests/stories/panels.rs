@@ -32,18 +32,6 @@ async fn the_tree_is_searched_folded_and_opens_a_component() {
 }
 
 #[tokio::test]
-async fn a_component_tells_why_it_is_latent() {
-    let (_server, page) = game("why").await;
-    page.click("button", "Kicker", "Activation tree").await;
-    page.find("region", "Why it is latent", "").await;
-    page.reads("Fixmove").await;
-    page.click("button", "Player", "Activation tree").await;
-    page.find("region", "States", "").await;
-    page.reads("look_for_ball").await;
-    page.close().await;
-}
-
-#[tokio::test]
 async fn the_camera_shows_images_and_toggles_overlays() {
     let (_server, page) = game("camera").await;
     page.until("an image is drawn", &drawn("Camera image")).await;

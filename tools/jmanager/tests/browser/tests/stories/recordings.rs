@@ -2,29 +2,7 @@
 
 use jmanager_browser::{Page, Robot, Server};
 
-use crate::{WIDE, game, open, tab};
-
-#[tokio::test]
-async fn a_recording_is_kept_opened_and_played() {
-    let (server, page) = game("recordings").await;
-    page.time("> 3").await;
-    tab(&page, "Recordings").await;
-    page.find("textbox", "Name of the recording", "This session").await.set("first").await;
-    page.click("button", "Keep recording", "This session").await;
-    page.find("button", "first", "Recordings").await;
-    assert!(server.folder.path("recordings/first.mcap").is_file());
-    page.click("button", "first", "Recordings").await;
-    page.find("button", "Play", "Replay").await.click().await;
-    page.find("button", "Time: playing", "").await;
-    let clock = || async { page.run("return document.querySelector('.clock b').textContent").await };
-    let before = clock().await;
-    page.is(".clock b", &format!("one.textContent !== {before}")).await;
-    page.click("button", "To the end", "Replay").await;
-    page.find("button", "Time: paused", "").await;
-    // The recording of a world has no images; its rules regenerate them.
-    page.reads("No images").await;
-    page.close().await;
-}
+use crate::{WIDE, open, tab};
 
 /// A recording is run again with another gain, and compared with the original.
 #[tokio::test]
