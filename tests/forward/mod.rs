@@ -9,6 +9,5 @@ mod motor_load;
 mod no_heap;
 mod out;
 mod perception_parameters;
-mod replay;
 mod search;
 mod tuned;

@@ -5,7 +5,7 @@ use bica_motion::head::{HeadAngles, look_at, pitch_range};
 use bica_motion::health::{Fault, Health};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kick::{Kick, KickMotion};
-use bica_motion::kinematics::{self, Skeleton, YawFrom, legs_angles};
+use bica_motion::kinematics::{self, Skeleton};
 use bica_motion::model::simulation::{HUMANOIDS, humanoid};
 use bica_motion::model::{NAO, RobotModel};
 use bica_motion::odometry::{MotionInput, Odometry};
@@ -15,7 +15,7 @@ use bica_motion::walk::{Phase, Velocity, Walk};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 
-use crate::motion::kinematics::{any_angles, distance};
+use crate::motion::kinematics::any_angles;
 use crate::motion::tall::TALL;
 use crate::motion::world::{CYCLE, World, gap};
 
@@ -44,26 +44,6 @@ proptest! {
             for (found, expected) in found.into_iter().zip(expected) {
                 prop_assert!((f64::from(found) - expected).abs() < 1e-6, "{side:?}: {found} is not {expected}");
             }
-        }
-    }
-
-    #[test]
-    fn inverse_kinematics_of_the_model_are_inverse(angles in any_angles(TALL)) {
-        let [left, right] = Side::BOTH.map(|side| kinematics::ankle(TALL, side, &angles));
-        for (side, expected) in [(Side::Left, &left), (Side::Right, &right)] {
-            let mut found = Joints::all(0.0);
-            TALL.leg_angles(side, expected).write(TALL, side, &mut found);
-            let off = distance(&kinematics::ankle(TALL, side, &found), expected);
-            prop_assert!(off < 2e-5, "{off} off");
-        }
-        let shared = angles[Joint::LHipYawPitch];
-        let legs = legs_angles(TALL, &left, &right, YawFrom::Angle(shared));
-        for (leg, side) in legs.iter().zip(Side::BOTH) {
-            let mut found = Joints::all(0.0);
-            leg.write(TALL, side, &mut found);
-            let expected = if side == Side::Left { &left } else { &right };
-            let off = distance(&kinematics::ankle(TALL, side, &found), expected);
-            prop_assert!(off < 2e-5, "{off} off");
         }
     }
 
