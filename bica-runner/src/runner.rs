@@ -117,7 +117,21 @@ where
     /// If the tree refuses the request, or if it is to the world; then nothing changes.
     #[inline]
     pub fn request(&mut self, now: Instant, request: Request<'_>) -> Result<(), Refusal> {
-        apply(&mut *self.robot, None, &mut self.observer, now, request)
+        self.request_in(now, None, request)
+    }
+
+    /// Applies one request as [`request`](Self::request) does, to the tree or to a world that this runner does not own.
+    ///
+    /// # Errors
+    /// If the tree or the world refuses the request; then nothing changes.
+    #[inline]
+    pub fn request_in(
+        &mut self,
+        now: Instant,
+        world: Option<&mut dyn Actions>,
+        request: Request<'_>,
+    ) -> Result<(), Refusal> {
+        apply(&mut *self.robot, world, &mut self.observer, now, request)
     }
 
     /// Writes sensor values into the tree: the first half of a cycle, for values that are received as messages.

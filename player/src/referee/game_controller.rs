@@ -136,6 +136,7 @@ impl GameController {
     }
 
     /// Which player the robot is.
+    #[output]
     #[must_use]
     pub const fn me(&self) -> Identity {
         self.me

@@ -79,10 +79,22 @@ impl TeamBall {
         self.fused.map(|ball| ball.at.into())
     }
 
-    /// Most probable position.
+    /// Position of the own sighting.
     #[output(unit = "m", frame = "field")]
-    fn ball_position(&self) -> Option<visual::Point2> {
-        self.position().map(info::point)
+    fn own_position(&self) -> Option<visual::Point2> {
+        self.own.map(|ball| info::point(ball.at.into()))
+    }
+
+    /// Time since the own sighting.
+    #[output(unit = "s")]
+    fn own_age(&self) -> Option<f32> {
+        self.own.map(|ball| ball.age)
+    }
+
+    /// Most probable position, with its standard deviation as the radius.
+    #[output(unit = "m", frame = "field")]
+    fn fused(&self) -> Option<visual::Circle> {
+        self.fused.map(|SeenBall { at: [x, y], error, .. }| visual::Circle { x, y, radius: error })
     }
 
     /// Time since any player has seen the ball.

@@ -38,6 +38,7 @@ pub struct TeamComm {
     /// Remaining time in which each message that the budget allows is sent, s.
     urgent: f32,
     role: Role,
+    intention: Intention,
     messages: u32,
 }
 
@@ -53,6 +54,7 @@ impl TeamComm {
             time_ms: 0,
             urgent: 0.0,
             role: Role::Absent,
+            intention: Intention::Stand,
             messages: 0,
         }
     }
@@ -74,6 +76,7 @@ impl TeamComm {
         let is_double = roles.role() == Role::Striker && mates.strikers() > 0;
         let is_urgent = is_double || roles.role() != self.role;
         self.role = roles.role();
+        self.intention = intention(game.order(), roles, sight);
         self.urgent = if is_urgent { tuned.urgent_time } else { (self.urgent - time.dt()).max(0.0) };
         let Some(pose) = field.pose() else { return };
         let message = TeamMessage {
@@ -82,7 +85,7 @@ impl TeamComm {
             pose: [pose.position.x, pose.position.y, wrap(pose.heading)],
             covariance: covariance(field),
             ball: ball.own(),
-            intention: intention(game.order(), roles, sight),
+            intention: self.intention,
             role: roles.role(),
             claim: roles.claim(),
             time_to_ball: roles.time_to_ball(),
@@ -114,6 +117,13 @@ impl TeamComm {
     /// Takes the message of this cycle, if there is one.
     pub const fn take(&mut self) -> Option<TeamMessage> {
         self.message.take()
+    }
+
+    /// What the robot does now.
+    #[output]
+    #[must_use]
+    pub const fn intention(&self) -> Intention {
+        self.intention
     }
 
     /// Number of messages so far.

@@ -140,6 +140,7 @@ impl Roles {
     }
 
     /// Number of the newest claim to the part of the striker that the robot knows.
+    #[output]
     #[must_use]
     pub const fn claim(&self) -> u16 {
         self.election.claim()

@@ -1,5 +1,6 @@
 //! A field with the robots of two teams.
 
+use bica_core::action::Actions;
 use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{Command, Sensors};
@@ -120,7 +121,11 @@ impl MatchField {
 
     /// Gives all worlds the ball of the one whose robot has touched it, or else of the first one.
     fn share_ball(&mut self) {
-        let Some(moved) = self.worlds.iter().position(KinematicWorld::touches).or(Some(0)) else { return };
+        self.share_ball_of(self.worlds.iter().position(KinematicWorld::touches).unwrap_or(0));
+    }
+
+    /// Gives all worlds the ball of one of them.
+    fn share_ball_of(&mut self, moved: usize) {
         let Some(world) = self.worlds.get(moved) else { return };
         let (ball, side) = (world.ball(), self.entrants[moved].is_second);
         for (index, world) in self.worlds.iter_mut().enumerate() {
@@ -162,13 +167,31 @@ impl MatchField {
     pub fn put_ball(&mut self, at: Vec2) -> Result<(), &'static str> {
         let Some(first) = self.worlds.first_mut() else { return Ok(()) };
         first.put_ball(at)?;
-        self.share_ball();
+        self.share_ball_of(0);
         Ok(())
+    }
+
+    /// Lets an operator act in the world of a robot, in the frame of its team; the other worlds follow.
+    ///
+    /// # Panics
+    /// If there is no robot with this index.
+    pub fn operate<T>(&mut self, robot: usize, act: impl FnOnce(&mut dyn Actions) -> T) -> T {
+        let before = self.worlds[robot].ball();
+        let done = act(self.worlds[robot].actions());
+        if self.worlds[robot].ball() != before {
+            self.worlds.iter_mut().for_each(KinematicWorld::cancel_return);
+            self.share_ball_of(robot);
+        }
+        self.share_robots();
+        done
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use bica_core::Value;
+    use bica_core::action::perform;
+
     use super::*;
     use crate::TEST_MODEL;
     use crate::setup::Frame;
@@ -210,6 +233,22 @@ mod tests {
         }
         let balls = [0, 1, 2].map(|robot| field.truth(robot).ball());
         assert!(balls[0].x > 1.0 && balls[0] == balls[1] && balls[2] == -balls[0], "{balls:?}");
+    }
+
+    #[test]
+    fn operator_places_the_ball_for_all_robots() {
+        let mut field = field(&MATES);
+        field.worlds[0].follow_ball([Vec2::new(2.5, 1.5), Vec2::new(2.5, 0.0)]);
+        let stand = |field: &mut MatchField, cycles| (0..cycles).for_each(|_| field.act(&[standing(); 3]));
+        stand(&mut field, 60);
+        assert_eq!(field.truth(0).outs(), 1, "the referee is about to return it");
+        let at = [1.0, 0.5].map(Value::F32);
+        field.operate(2, |world| perform(Some(world), "place_ball", &at)).expect("a free place");
+        stand(&mut field, 500);
+        let balls = [0, 1, 2].map(|robot| field.truth(robot).ball());
+        assert_eq!(balls, [Vec2::new(-1.0, -0.5), Vec2::new(-1.0, -0.5), Vec2::new(1.0, 0.5)]);
+        let refused = field.operate(0, |world| perform(Some(world), "place_ball", &[-2.0, 1.0].map(Value::F32)));
+        assert!(refused.is_err_and(|refusal| refusal.to_string().contains("robot")), "a teammate is there");
     }
 
     #[test]

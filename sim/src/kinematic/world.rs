@@ -128,6 +128,11 @@ impl KinematicWorld {
         Ok(())
     }
 
+    /// Cancels the return of the ball into play: an operator has placed it.
+    pub(super) const fn cancel_return(&mut self) {
+        self.rules.cancel_return();
+    }
+
     /// Whether the robot has touched the ball in the last cycle.
     pub(super) const fn touches(&self) -> bool {
         self.touches

@@ -13,6 +13,7 @@ Examples:
   jmanager                          the built-in forward, in real time
   jmanager --world mujoco           in MuJoCo (needs a build with the feature `mujoco`)
   jmanager tcp://192.168.1.20:7400  a robot, or `player play --serve`
+  jmanager tcp://127.0.0.1:7400..7405  all players of a match, `player play --world team --serve`
   jmanager serial:/dev/ttyUSB0      a microcontroller
   jmanager run.mcap                 a recording
   jmanager good.mcap bad.mcap       two recordings, side by side

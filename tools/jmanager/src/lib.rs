@@ -5,6 +5,7 @@ mod colours;
 mod images;
 mod motions;
 mod run;
+mod team;
 mod world;
 
 use std::path::PathBuf;
@@ -49,6 +50,11 @@ pub fn program(options: SoccerOptions) -> Program {
         worlds: worlds.collect(),
         rerun: Some(Box::new(|recording, set, out, progress| rerun(recording, set, out, progress).map(drop))),
         images: images.clone().map(|folder| Box::new(images::LabelledImages(folder)) as Box<dyn ImageFiles>),
-        extensions: vec![Box::new(tuner), Box::new(colours::boundary::Panel), Box::new(motions::Motions::new())],
+        extensions: vec![
+            Box::new(tuner),
+            Box::new(colours::boundary::Panel),
+            Box::new(motions::Motions::new()),
+            Box::new(team::Team),
+        ],
     }
 }

@@ -60,7 +60,10 @@ function first() {
     if (!store.session.value?.description.value) return;
     setTimeout(() => {
       end();
-      if (dock.layoutName.value === name) dock.refit(name);
+      if (dock.layoutName.value !== name) return;
+      const several = store.sessions.value.size > 1 && dock.presets().find(([, one]) => one.several);
+      if (several) dock.preset(several[0]);
+      else dock.refit(name);
     });
   });
 }

@@ -6,7 +6,7 @@ use bica_wire::model::Invalid;
 
 use crate::cli::Arguments;
 use crate::program::Program;
-use crate::protocol::Open;
+use crate::protocol::{LIMITS, Open};
 
 /// Sessions that are opened at the start, and the folder of recordings.
 #[derive(Debug, PartialEq)]
@@ -20,14 +20,14 @@ pub(crate) fn read(cli: &Arguments, program: &Program) -> Result<Sources, Invali
     let mut recordings = cli.recordings.clone();
     let mut open = Vec::new();
     for source in &cli.sources {
-        open.push(if source.starts_with("tcp://") || source.starts_with("serial:") {
-            Open::Robot { address: source.clone() }
+        if source.starts_with("tcp://") || source.starts_with("serial:") {
+            open.extend(addresses(source)?.into_iter().map(|address| Open::Robot { address }));
         } else if Path::new(source).extension().is_some_and(|ending| ending == "mcap") {
-            Open::Recording { name: recording(Path::new(source), &mut recordings)? }
+            open.push(Open::Recording { name: recording(Path::new(source), &mut recordings)? });
         } else {
             let help = "write tcp://HOST:PORT, serial:DEVICE or FILE.mcap; `--help` shows examples";
             return Err(Invalid::new(format!("`{source}` is no robot and no recording"), help));
-        });
+        }
     }
     if open.is_empty() || cli.world.is_some() {
         let first = || program.worlds.first().map(|world| world.name().to_owned());
@@ -40,6 +40,23 @@ pub(crate) fn read(cli: &Arguments, program: &Program) -> Result<Sources, Invali
         may_record(file, &open)?;
     }
     Ok(Sources { open, recordings: recordings.unwrap_or_else(|| "recordings".into()) })
+}
+
+/// Addresses of robots: one, or with `tcp://HOST:FIRST..LAST` those with all of these ports.
+fn addresses(source: &str) -> Result<Vec<String>, Invalid> {
+    let Some((first, last)) = source.split_once("..").filter(|_| source.starts_with("tcp://")) else {
+        return Ok(vec![source.to_owned()]);
+    };
+    let range = first.rsplit_once(':').and_then(|(host, first)| Some((host, first.parse().ok()?, last.parse().ok()?)));
+    match range {
+        Some((host, first, last)) if (first..=last).len() <= LIMITS.sessions && first <= last && first > 0 => {
+            Ok((first..=last).map(|port: u16| format!("{host}:{port}")).collect())
+        }
+        _ => {
+            let help = format!("write tcp://HOST:FIRST..LAST, with at most {} ports", LIMITS.sessions);
+            Err(Invalid::new(format!("`{source}` is no range of ports"), help))
+        }
+    }
 }
 
 /// Refuses to record no session or several ones in a file, and a file that cannot be created.
@@ -110,6 +127,16 @@ mod tests {
 
     fn world(name: &str, seed: u64) -> Open {
         Open::World { world: name.to_owned(), seed, options: BTreeMap::new() }
+    }
+
+    #[test]
+    fn a_range_of_ports_is_a_robot_for_each() {
+        let opened = sources(&["tcp://127.0.0.1:7400..7402"]).expect("three robots");
+        let robot = |port| Open::Robot { address: format!("tcp://127.0.0.1:{port}") };
+        assert_eq!(opened, [robot(7400), robot(7401), robot(7402)]);
+        for wrong in ["7402..7400", "7400..", "..7400", "7400..7416", "0..3", "65535..65536"] {
+            assert!(sources(&[&format!("tcp://nao:{wrong}")]).is_err(), "{wrong}");
+        }
     }
 
     #[test]

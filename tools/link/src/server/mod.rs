@@ -31,6 +31,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use bica::runner::World;
+use bica::visual::Scene;
 use bica_wire::Recordable;
 use bica_wire::message::{LogSource, Offers, WorldChange};
 
@@ -82,9 +83,23 @@ impl LinkServer {
         options: ServerOptions,
         world: &(impl World<R> + ?Sized),
     ) -> Result<(Self, LinkRequests, LinkObserver<R>), Error> {
-        let has_truth = !EncodedScene::of(|scene| world.truth(scene)).values.is_empty();
+        Self::start_in_scene(address, options, |scene| world.scenery(scene), |scene| world.truth(scene))
+    }
+
+    /// Starts a server as [`start_in_world`](Self::start_in_world) does, for a loop that owns no [`World`]: the functions show the scenery
+    /// and the true state. The loop calls [`LinkObserver::show_scene`].
+    ///
+    /// # Errors
+    /// As [`start`](Self::start).
+    pub fn start_in_scene<R: Recordable>(
+        address: &Address,
+        options: ServerOptions,
+        scenery: impl FnOnce(&mut dyn Scene),
+        truth: impl FnOnce(&mut dyn Scene),
+    ) -> Result<(Self, LinkRequests, LinkObserver<R>), Error> {
+        let has_truth = !EncodedScene::of(truth).values.is_empty();
         let offers = options.offers.with(if has_truth { Offers::TRUTH } else { Offers::default() });
-        let shown = WorldScenes::of_scenery(EncodedScene::of(|scene| world.scenery(scene)));
+        let shown = WorldScenes::of_scenery(EncodedScene::of(scenery));
         Self::start_with(address, ServerOptions { offers, ..options }, shown)
     }
 

@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex};
 
 use bica::graph::Graph;
 use bica::runner::{Cycle, Observer, Overrun, Robot, World};
+use bica::visual::Scene;
 use bica::{ComponentId, Instant, JobEnd, Probe, Tree};
 use bica_wire::Recordable;
 use bica_wire::message::{CycleInfo, LogSource, MAX_VALUES, ParamValues, Stop, StopAt, WorldChange};
@@ -82,6 +83,11 @@ impl<R: Robot> LinkObserver<R> {
     /// cycle and, in a world that can be paused, after each [`Runner::apply_requests`](bica::runner::Runner::apply_requests):
     /// then it is sent to the monitors that have not received it since they began to watch it.
     pub fn show_truth<W: World<R> + ?Sized>(&self, world: &W) {
+        self.show_scene(|scene| world.truth(scene));
+    }
+
+    /// Sends the true state as [`show_truth`](Self::show_truth) does, for a loop that owns no [`World`]: `truth` shows it.
+    pub fn show_scene(&self, truth: impl FnOnce(&mut dyn Scene)) {
         let mut control = lock(&self.control);
         let Some(CycleInfo { cycle, time_us, .. }) = control.last else { return };
         let owed = if control.stands { control.watchers.take_owed_truth() } else { Vec::new() };
@@ -89,7 +95,7 @@ impl<R: Robot> LinkObserver<R> {
         if owed.is_empty() && !is_due {
             return;
         }
-        let (declarations, truth) = control.shown.truth(time_us, EncodedScene::of(|scene| world.truth(scene)));
+        let (declarations, truth) = control.shown.truth(time_us, EncodedScene::of(truth));
         if let Some(declarations) = declarations {
             control.tell_all(&Message::Scene(declarations));
         }

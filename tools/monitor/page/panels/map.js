@@ -4,6 +4,7 @@ import { html, useEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
 import { Canvas } from '../lib/canvas.js';
 import { number, words } from '../lib/format.js';
 import { IDENTITY, applied, colourOf, headingOf, inverse, matrixOf, times, visuals } from '../lib/frames.js';
+import { groupsOf, labelOf, shownText, useLabels } from '../lib/group.js';
 import { drawPart, pointsOf } from '../lib/shapes.js';
 import { companions, cursor, session, watch } from '../lib/store.js';
 import { besideColour, css, curveColour } from '../lib/theme.js';
@@ -11,6 +12,7 @@ import { Bar, Empty, Menu, Toggle } from '../lib/ui.js';
 import { ActionsMenu, onGround, useActions } from './actions.js';
 import { keyOf, layersOf, sourceOf, toViewBeside, toViewOf, useTracks } from './map/layers.js';
 import { useBody } from './map/body.js';
+import { drawLabels } from './map/labels.js';
 import { drawLegend } from './map/legend.js';
 import { useDrag } from './map/place.js';
 import { Space, calibrations, framesOf, viewsOf } from './map/space.js';
@@ -22,7 +24,12 @@ const MARGIN = 1;
 /** Whether the map has something to draw. */
 export const hasMap = (shown) => Boolean(shown?.description.value) && (shown.info.value.can.truth || shown.scenery.value.length > 0 || visuals(shown.description.value, false).length > 0);
 
+/**
+ * `params`: whether it is `deep`; and of robots of a group the outputs that are `shown` at first, of which the first one is their place, a `label`
+ * (lib/group.js), and the output that names the `group`, which has a colour.
+ */
 export function GroundMap({ visible, params, remember }) {
+  const { shown: first, group, label } = params;
   const shown = session.value;
   const description = shown?.description.value;
   const own = useMemo(() => description && { ...sourceOf(shown), shift: 0 }, [shown, description]);
@@ -32,10 +39,13 @@ export function GroundMap({ visible, params, remember }) {
   const cameras = useMemo(() => calibrations(description), [description]);
   const deep = useSignal(params.deep ?? false);
   const body = useBody(shown, description, visible.value && deep.value);
+  useLabels(sources.map((source) => source.shown), label ? [label] : [], group, visible);
   const truthShown = useSignal(true);
   const sceneryShown = useSignal(true);
   const turned = useSignal(false);
-  const hidden = useSignal(new Set());
+  /** Outputs that are shown, or not, other than at first. */
+  const changed = useSignal(new Set());
+  const hidden = { has: (key) => (first ? !first.includes(key) : false) !== changed.value.has(key) };
   const fixed = useSignal(null);
   const seen = useMemo(() => newMemory(), [shown, description, fixed.value]);
   const mapIn = (width, height) => mapOf(seen.bounds ?? [-MARGIN, -MARGIN, MARGIN, MARGIN], width, height - Math.min(seen.low, height / 3), turned.value);
@@ -49,7 +59,8 @@ export function GroundMap({ visible, params, remember }) {
     return point && geometry.current?.(point);
   };
   const { handlers: opens, menu } = useActions({ shown, list, at });
-  const { dragged, handlers } = useDrag({ shown, mapOf: (element) => mapIn(element.clientWidth, element.clientHeight), visible: truthShown.value && isFixed });
+  const toDragged = useRef(null);
+  const { dragged, handlers } = useDrag({ shown, mapOf: (element) => mapIn(element.clientWidth, element.clientHeight), toView: (frame) => toDragged.current(frame), visible: truthShown.value && isFixed });
   useEffect(() => {
     if (!visible.value || !own) return undefined;
     const ends = sources.map((source) => watch({
@@ -66,6 +77,7 @@ export function GroundMap({ visible, params, remember }) {
   const colour = (component) => curveColour(colourOf(description, component));
   const root = place(shown.scenery.value[0]?.frame ?? truth()[0]?.frame ?? main).root;
   const view = frames.includes(fixed.value) ? fixed.value : root;
+  toDragged.current = (frame) => toViewOf(own.place(), view)(frame);
   /** What a point of the view is in the frame of an argument; nothing in a frame that has no place in the view. */
   geometry.current = (point) => (of) => {
     const now = own.place();
@@ -76,36 +88,51 @@ export function GroundMap({ visible, params, remember }) {
   /** Where the item is that an action moves. */
   const here = ({ axis, frame }, { moves }) => truth().find((item) => item.name === moves && item.frame === frame)?.value?.[axis];
   const reads = () => {
-    void [shown.scenery.value, sceneryShown.value, truthShown.value, turned.value, cursor.value, dragged.value, hidden.value, tracks.value];
+    void [shown.scenery.value, sceneryShown.value, truthShown.value, turned.value, cursor.value, dragged.value, changed.value, tracks.value];
     cameras.forEach((output) => read(output));
+    if (label) sources.forEach((source) => labelOf(source.shown, label));
     if (deep.value) void body.placed(() => null);
     for (const { shown: of, outputs: all, read: readOf, truth: stated } of sources) void [of.moment.value, stated(), all.map((output) => readOf(output))];
   };
   /** What is drawn: of other sessions, `others`, all in one colour. */
   const layers = () => {
     const now = own.place();
-    const shows = { seen, hidden: hidden.value, sceneryShown: sceneryShown.value, truthShown: truthShown.value };
+    const groups = group ? groupsOf(sources.map((source) => source.shown), group) : null;
+    const groupOf = (source) => groups?.get(shownText(source.shown, group));
+    const shows = { seen, hidden, sceneryShown: sceneryShown.value };
     const toView = toViewOf(now, view);
     const track = ({ key, pose }, toFrame, colour) => {
       const [points, matrix] = [tracks.value.get(key), pose && toFrame(pose.info.frame)];
       return points?.length > 1 && matrix ? [{ parts: [{ line: points }], matrix, style: { colour, faint: true } }] : [];
     };
+    const labels = [];
+    const write = (source, toFrame) => {
+      const pose = source.outputs.find((output) => keyOf(output) === first?.[0]);
+      const [matrix, at] = label && pose ? [toFrame(pose.info.frame), source.read(pose)] : [];
+      if (matrix && at) labels.push({ text: labelOf(source.shown, label), colour: groupOf(source) ?? css('--dim'), point: applied(matrix, [at.x, at.y]) });
+    };
     const drawn = others.map((source) => {
-      const toFrame = toViewBeside(source, now, view);
-      const { found, stated } = layersOf(source, toFrame, { ...shows, beside: source.beside });
-      return [...track(source, toFrame, besideColour(source.beside)), ...found, ...stated];
+      const [toFrame, group] = [toViewBeside(source, now, view), groupOf(source)];
+      const own = group ?? besideColour(source.beside);
+      write(source, toFrame);
+      // Robots of a group are in one world.
+      const { found, stated } = layersOf(source, toFrame, { ...shows, truthShown: truthShown.value && !groups, own, group });
+      return [...track(source, toFrame, own), ...found, ...stated];
     });
-    return { toView, ...layersOf(own, toView, shows), others: [...track(own, toView, own.pose ? colour(own.pose.component) : ''), ...drawn.flat()] };
+    write(own, toView);
+    const ownTrack = track(own, toView, groupOf(own) ?? (own.pose ? colour(own.pose.component) : ''));
+    return { toView, labels, groups, ...layersOf(own, toView, { ...shows, truthShown: truthShown.value, group: groupOf(own) }), others: [...ownTrack, ...drawn.flat()] };
   };
   const draw = (context, width, height) => {
-    const { scenery, found, stated, others: beside } = layers();
+    const { scenery, found, stated, others: beside, labels, groups } = layers();
     const all = [...scenery, ...beside, ...found, ...stated];
     seen.bounds = scenery.length > 0 ? extent(scenery, null, 0) : extent(all, seen.bounds, MARGIN);
     const map = mapIn(width, height);
     for (const trail of trails(all)) for (const part of trail.parts) drawPart(context, map, part, IDENTITY, trail.style);
     for (const { parts, matrix, style } of all) for (const part of parts) drawPart(context, map, part, matrix, style);
     if (dragged.value) drawPart(context, map, { dots: [dragged.value] }, IDENTITY, { colour: css('--truth') });
-    const low = legend(context, width, height, found, stated);
+    drawLabels(context, labels.map(({ point: [x, y], ...rest }) => ({ ...rest, at: [map.x(x), map.y(y)] })), width, height - seen.low);
+    const low = legend(context, width, height, found, stated, groups);
     // The map is above its legend. It does not move when an output is missing for a while.
     if (seen.width !== width) [seen.width, seen.low] = [width, 0];
     if (low <= seen.low) return;
@@ -113,23 +140,23 @@ export function GroundMap({ visible, params, remember }) {
     context.clearRect(0, 0, width, height);
     draw(context, width, height);
   };
-  const legend = (context, width, height, found, stated) => {
-    const drawn = new Map(outputs.filter((_, number) => found[number].parts.length > 0).map(({ component, name }) => [name, colour(component)]));
+  const legend = (context, width, height, found, stated, groups) => {
+    const drawn = new Map(groups ? [...groups].map(([value, colour]) => [`${words(group.split('.').at(-1))} ${value}`, colour]) : outputs.filter((_, number) => found[number].parts.length > 0).map(({ component, name }) => [name, colour(component)]));
     if (stated.length > 0) drawn.set('truth (dashed)', css('--truth'));
-    for (const { shown: of, beside } of others) drawn.set(of.info.value.name, besideColour(beside));
+    if (!groups) for (const { shown: of, beside } of others) drawn.set(of.info.value.name, besideColour(beside));
     return drawLegend(context, width, height, [...drawn]);
   };
   /** The trails of layers that have one, at the newest time, as layers. */
   const trails = (all) => (cursor.value === null ? all.flatMap(trailOf) : []);
   const content = () => {
-    const { toView, scenery, found, stated, others: beside } = layers();
+    const { toView, scenery, found, stated, others: beside, labels, groups } = layers();
     const all = [...scenery, ...beside, ...found, ...stated];
     // A place of a frame in space is drawn as its axes.
     const isFrame = (one) => outputs[found.indexOf(one)]?.info.shape === 'Pose3';
     return {
       layers: [...all.filter((one) => !isFrame(one)), ...trails(all)], frames: framesOf(outputs, toView),
       body: body.placed(toView), views: viewsOf(cameras, { read, toView, colour }), follow: main === view ? null : toView(main),
-      legend: [found, stated],
+      legend: [found, stated, groups], labels,
     };
   };
   const show = (on) => {
@@ -137,18 +164,18 @@ export function GroundMap({ visible, params, remember }) {
     remember({ deep: on });
   };
   const toggle = (layer) => {
-    const next = new Set(hidden.value);
+    const next = new Set(changed.value);
     if (!next.delete(layer)) next.add(layer);
-    hidden.value = next;
+    changed.value = next;
   };
   return html`<${Bar} label="Map">
-      <span class="dim place"><${Where} ...${{ place, frame: main, root, truth: truth(), others }} /></span><span class="grow"></span>
+      <span class="dim place"><${Where} ...${{ place, frame: main, root, truth: truth(), others: group ? [] : others }} /></span><span class="grow"></span>
       ${shown.info.value.can.truth && html`<${Toggle} on=${truthShown.value} label="Truth" title="The simulator's state, dashed. The robot never gets it." colour=${css('--truth')} onChange=${(on) => { truthShown.value = on; }} />`}
       <${Toggle} on=${deep.value} label="3D" title="Show the map in three dimensions" onChange=${show} />
       <${ActionsMenu} ...${{ shown, list, known: here }} />
       <${Menu} label="Layers" title="What the map shows">
         <label>Fixed frame <select aria-label="Fixed frame" onChange=${(event) => { fixed.value = event.target.value; }}>${frames.map((frame) => html`<option selected=${frame === view}>${frame}</option>`)}</select></label>
-        ${outputs.map((output) => html`<${Toggle} on=${!hidden.value.has(keyOf(output))} label=${`${output.name} · ${words(output.info.name)}`} title=${`${output.info.doc} Frame: ${output.info.frame}.`} colour=${colour(output.component)} onChange=${() => toggle(keyOf(output))} />`)}
+        ${outputs.map((output) => html`<${Toggle} on=${!hidden.has(keyOf(output))} label=${`${output.name} · ${words(output.info.name)}`} title=${`${output.info.doc} Frame: ${output.info.frame}.`} colour=${colour(output.component)} onChange=${() => toggle(keyOf(output))} />`)}
         ${shown.scenery.value.length > 0 && html`<${Toggle} on=${sceneryShown.value} label="Scenery" title="What does not move in the world" onChange=${(on) => { sceneryShown.value = on; }} />`}
         <${Toggle} on=${turned.value} label="Turned by 180°" title="Turn the map by 180°" onChange=${(on) => { turned.value = on; }} />
         <button class="item" onClick=${seen.clear}>Clear the trails</button><//>

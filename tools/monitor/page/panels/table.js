@@ -1,21 +1,30 @@
 // Any outputs as a table: values at the shown moment, with their range, also of sessions side by side; or their history.
 
-import { html, useSignal } from '../lib/dom.js';
+import { html, untracked, useEffect, useSignal } from '../lib/dom.js';
 import { shownTime } from '../lib/axis.js';
-import { number, text, time, valueAt } from '../lib/format.js';
+import { number, text, time, valueAt, words } from '../lib/format.js';
 import { valueNow } from '../lib/curves.js';
+import { groupsOf, labelOf, shownText, useAllBeside, useLabels } from '../lib/group.js';
 import { curvesOf, faultOf, readVersions, samplesAt, titleOf, useCurves } from '../lib/series.js';
 import { span, statistics } from '../lib/span.js';
-import { seek, session, visibleRange } from '../lib/store.js';
+import { companions, seek, session, show, visibleRange } from '../lib/store.js';
 import { besideColour } from '../lib/theme.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
 
 /** Rows of a history. */
 const ROWS = 200;
+/** Time between two updates of the rows of sessions, ms. */
+const UPDATE_MS = 200;
 
+/**
+ * `params`: the `rows`, whether they are a `history`, or the columns of a table of `sessions`; of that one, a `label` and the output that
+ * names the `group` (lib/group.js).
+ */
 export function Table({ visible, params, remember }) {
   const names = useSignal(params.rows ?? []);
   const history = useSignal(params.history ?? false);
+  const turned = useSignal(params.sessions ?? false);
+  useAllBeside(turned.value);
   const typed = useSignal('');
   const fault = useSignal('');
   const shown = session.value;
@@ -25,7 +34,7 @@ export function Table({ visible, params, remember }) {
   if (!description) return html`<${Empty} what="Nothing to list yet" help="Open a world, a robot or a recording." />`;
   const keep = (rows) => {
     names.value = rows;
-    remember({ rows, history: history.value });
+    remember({ rows, history: history.value, sessions: turned.value });
   };
   // The name of a component stands for all its outputs.
   const add = (name) => {
@@ -49,10 +58,11 @@ export function Table({ visible, params, remember }) {
   return html`<div class="plot" onDragOver=${(event) => event.preventDefault()} onDrop=${drop}><${Bar} label="Table">
       <form class="join" onSubmit=${submit}><input list="all-rows" placeholder="Output, component or f(x)…" aria-label="Output to list" aria-invalid=${fault.value !== ''} title=${fault.value} value=${typed.value} onInput=${(event) => { [typed.value, fault.value] = [event.target.value, '']; }} /><button>Add</button></form>
       <datalist id="all-rows">${known.map((name) => html`<option value=${name}></option>`)}</datalist>
-      <${Toggle} on=${history.value} label="History" title="A row for each time at which a value changed" onChange=${(on) => { history.value = on; keep(names.value); }} /><//>
+      <${Toggle} on=${history.value} label="History" title="A row for each time at which a value changed" onChange=${(on) => { [history.value, turned.value] = [on, on ? false : turned.value]; keep(names.value); }} />
+      <${Toggle} on=${turned.value} label="Sessions" title="A row for each session: all with this tree are shown beside the chosen one" onChange=${(on) => { [turned.value, history.value] = [on, on ? false : history.value]; keep(names.value); }} /><//>
     ${own.length === 0
       ? html`<${Empty} what=${names.value.length > 0 ? 'This tree has none of these outputs' : 'No output yet'} help="Drag an output from a component tab onto this panel, or name one, or a component, above." />`
-      : html`<div class="log" tabindex="0" role="group" aria-label="Listed outputs">${visible.value && (history.value ? html`<${History} curves=${[...own, ...beside]} />` : html`<${Values} ...${{ own, beside, remove }} />`)}</div>`}
+      : html`<div class="log" tabindex="0" role="group" aria-label="Listed outputs">${visible.value && (turned.value ? html`<${Sessions} ...${{ own, beside, visible }} label=${params.label} group=${params.group} />` : history.value ? html`<${History} curves=${[...own, ...beside]} />` : html`<${Values} ...${{ own, beside, remove }} />`)}</div>`}
   </div>`;
 }
 
@@ -75,6 +85,31 @@ function Values({ own, beside, remove }) {
         ${others.map(({ of }) => html`<td class="n">${beside.filter((one) => one.of === of && one.name === curve.name).map(shownValue)}</td>`)}
         <td class="unit">${curve.unit}</td><td class="n">${found ? number(found.min) : '–'}</td><td class="n">${found ? number(found.max) : '–'}</td><td><button class="small" aria-label=${`Remove ${curve.name}`} onClick=${() => remove(curve.name)}>×</button></td></tr>`;
     })}</tbody></table>`;
+}
+
+/** A row for each session, whose name chooses it, and a column for each output. */
+function Sessions({ own, beside, visible, label = '', group }) {
+  const all = [session.value, ...companions.value.map(({ of }) => of)];
+  useLabels(all, [label], group, visible);
+  const updated = useSignal(0);
+  useEffect(() => {
+    const timer = setInterval(() => { updated.value += 1; }, UPDATE_MS);
+    return () => clearInterval(timer);
+  }, []);
+  void updated.value;
+  // Not with each of the many values that come.
+  const rows = untracked(() => {
+    const colours = group && groupsOf(all, group);
+    const cell = (of, { name }) => [...own, ...beside].filter((one) => one.of === of && one.name === name).map(shownValue);
+    const row = (of) => ({ of, name: label ? labelOf(of, label) : of.info.value.name, colour: colours?.get(shownText(of, group)), cells: own.map((curve) => cell(of, curve)) });
+    return all.map(row).sort((one, other) => one.name.localeCompare(other.name, 'en', { numeric: true }));
+  });
+  const columns = own.map(({ name, unit }) => ({ name, unit, parts: name.match(/^(\w+)\.(.+)$/u) ?? [null, '', name] }));
+  // Outputs of a component that follow each other stand below its name.
+  const components = columns.reduce((all, { parts: [, of] }) => (all.at(-1)?.of === of ? [...all.slice(0, -1), { of, span: all.at(-1).span + 1 }] : [...all, { of, span: 1 }]), []);
+  return html`<table class="stats values group" aria-label="Sessions"><thead><tr><td></td>${components.map(({ of, span }) => html`<th scope="colgroup" colspan=${span}>${of}</th>`)}</tr>
+      <tr><th scope="col">session</th>${columns.map(({ name, unit, parts }) => html`<th key=${name} scope="col" title=${name}>${words(parts[2])}${unit && html` <span class="unit">${unit}</span>`}</th>`)}</tr></thead>
+    <tbody>${rows.map(({ of, name, colour, cells }) => html`<tr key=${of.id} class=${of === session.value ? 'chosen' : ''}><th scope="row" ref=${(cell) => { if (cell) cell.style.borderLeftColor = colour ?? ''; }}><button class="name" aria-current=${of === session.value} title=${`Show ${of.info.value.name} in all panels`} onClick=${() => show(of.id)}>${name}</button></th>${cells.map((cell) => html`<td>${cell}</td>`)}</tr>`)}</tbody></table>`;
 }
 
 /** The last changes up to the shown moment, the newest first. */

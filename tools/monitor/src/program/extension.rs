@@ -20,18 +20,25 @@ pub trait Extension: Send + Sync {
 
     /// Text of an ES module, which the page loads from the folder `extensions` beside `lib`. Its default export is
     /// `{panels, presets}`: panels by name, as in `page/lib/panels.js`, and layouts by name, as in `page/lib/presets.js`. A layout
-    /// with `first` is that of a first visit; a layout with `plain` has a bar for people who are not engineers. `lastPresets` are
-    /// layouts that are listed after all others.
+    /// with `first` is that of a first visit; a layout with `several` is that of a first visit with several sessions, if these have what it
+    /// `needs`; a layout with `plain` has a bar for people who are not engineers. `lastPresets` are layouts that are listed after all
+    /// others.
     fn module(&self) -> &str;
 
-    /// Returns whether pages that may only watch may send this message.
-    fn only_reads(&self, message: &Value) -> bool;
+    /// Returns whether pages that may only watch may send this message; by default none may.
+    #[expect(unused_variables, reason = "the names of the arguments are documentation")]
+    fn only_reads(&self, message: &Value) -> bool {
+        false
+    }
 
-    /// Answers a message of a page.
+    /// Answers a message of a page; by default there are no messages.
     ///
     /// # Errors
     /// If the message cannot be handled.
-    fn handle(&self, asked: &dyn Asked, message: Value) -> Result<Reply, Failed>;
+    #[expect(unused_variables, reason = "the names of the arguments are documentation")]
+    fn handle(&self, asked: &dyn Asked, message: Value) -> Result<Reply, Failed> {
+        Err(Failed::new(format!("the extension `{}` has no messages", self.name()), "reload the page"))
+    }
 }
 
 /// Answer to a message of a panel.

@@ -22,6 +22,8 @@ mod referee;
 mod schema;
 #[cfg(feature = "evaluation")]
 mod see;
+#[cfg(feature = "referee")]
+mod team_links;
 #[cfg(feature = "evaluation")]
 mod test_image;
 #[cfg(feature = "evaluation")]

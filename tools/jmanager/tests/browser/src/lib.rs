@@ -12,5 +12,5 @@ mod server;
 
 pub use folder::{Folder, repository, target};
 pub use page::Page;
-pub use robot::{Robot, player, restrict_to};
+pub use robot::{Referee, Robot, player, restrict_to};
 pub use server::{Server, processor_seconds};

@@ -69,6 +69,25 @@ impl Drop for Robot {
     }
 }
 
+/// A program `player referee`, which ends when this is dropped.
+pub struct Referee(Child);
+
+impl Referee {
+    /// Starts it with more arguments.
+    #[must_use]
+    pub fn start(arguments: &[&str]) -> Self {
+        let mut command = command(&[&["referee"], arguments].concat());
+        Self(command.stdin(Stdio::null()).stdout(Stdio::null()).spawn().expect("the program `player` is built"))
+    }
+}
+
+impl Drop for Referee {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
 /// Restricts the threads of a process, and those that it starts later, to processors: `0` or `0-1`.
 pub fn restrict_to(process: u32, processors: &str) {
     let status =

@@ -5,7 +5,7 @@ import { request } from '../../lib/connection.js';
 import { applied, colourOf, flat, inverse, located, matrixOf, times, visuals } from '../../lib/frames.js';
 import { partsOf } from '../../lib/shapes.js';
 import { cursor, visibleRange } from '../../lib/store.js';
-import { besideColour, css, curveColour } from '../../lib/theme.js';
+import { css, curveColour } from '../../lib/theme.js';
 
 const DASHED = [3, 3];
 const HALO = '#ffffffa0';
@@ -47,12 +47,11 @@ export const toViewBeside = (other, ownPlace, view) => {
 };
 
 /**
- * What a session draws, the lowest first: {parts, matrix, style, trail}; nothing of a frame that has no place in the view. `beside` is
- * the place of the colour that all of another session has.
+ * What a session draws, the lowest first: {parts, matrix, style, trail}; nothing of a frame that has no place in the view. `own` is the
+ * colour that all of another session has, `group` the one that the outputs of each session have.
  */
-export function layersOf(source, toView, { seen, hidden, sceneryShown, truthShown, beside }) {
+export function layersOf(source, toView, { seen, hidden, sceneryShown, truthShown, own = null, group = null }) {
   const { shown, outputs, main, read } = source;
-  const own = beside === undefined ? null : besideColour(beside);
   const layer = (frame, shape, value, style, key) => {
     const matrix = toView(frame);
     const parts = matrix ? flat(value).flatMap((one) => partsOf(shape, one)) : [];
@@ -63,7 +62,7 @@ export function layersOf(source, toView, { seen, hidden, sceneryShown, truthShow
     colour && !own ? { colour, width, fill: width === undefined } : { ...plain, width }, shape === 'Pose2' && name)]);
   const scenery = sceneryShown && !own ? shown.scenery.value.flatMap(states({ colour: css('--dim'), fill: true })) : [];
   const found = outputs.map((output) => layer(output.info.frame, output.info.shape, hidden.has(keyOf(output)) ? null : read(output), {
-    colour: own ?? curveColour(colourOf(shown.description.value, output.component)), halo: own ? css('--panel') : HALO,
+    colour: group ?? own ?? curveColour(colourOf(shown.description.value, output.component)), halo: own ? css('--panel') : HALO,
     faint: !shown.moment.value?.components?.[output.component]?.[0],
   }, output.info.child === main && output.info.child));
   return { scenery, found, stated: truthShown ? source.truth().flatMap(states({ colour: own ?? css('--truth'), halo: css('--panel'), dash: DASHED })) : [] };

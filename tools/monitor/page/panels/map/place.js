@@ -2,6 +2,7 @@
 
 import { useRef, useSignal } from '../../lib/dom.js';
 import { request } from '../../lib/connection.js';
+import { applied, inverse } from '../../lib/frames.js';
 import { cursor, notify, operate } from '../../lib/store.js';
 import { mover, valuesAt, within } from '../actions.js';
 
@@ -38,17 +39,20 @@ async function follow(session, drag) {
 const inRange = (call, at) => ['x', 'y'].map((axis, index) => within(call.arguments.find(({ place: of }) => of?.axis === axis), at[index]));
 
 /**
- * Dragging of what a world lets move. `shown` is the session, `mapOf(element)` the map as it is drawn, `visible` whether the truth is drawn.
- * Returns the handlers of the canvas and where something is dragged, or null.
+ * Dragging of what a world lets move. `shown` is the session, `mapOf(element)` the map as it is drawn, `toView(frame)` the place of a frame
+ * in it or null, `visible` whether the truth is drawn. Returns the handlers of the canvas and where something is dragged, or null.
  */
-export function useDrag({ shown, mapOf, visible }) {
+export function useDrag({ shown, mapOf, toView, visible }) {
   const dragged = useSignal(null);
   const state = useRef(null);
   const near = (event) => {
     if (!visible || !shown?.info.value.can.operate) return undefined;
     const map = mapOf(event.currentTarget);
-    const distance = ({ value }) => Math.hypot(map.x(value?.x) - event.offsetX, map.y(value?.y) - event.offsetY);
-    const items = (shown.truth.value?.truth ?? []).filter((item) => distance(item) < REACH && mover(shown, item));
+    const distance = ({ value, frame }) => {
+      const [x, y] = value ? applied(toView(frame), [value.x, value.y]) : [];
+      return Math.hypot(map.x(x) - event.offsetX, map.y(y) - event.offsetY);
+    };
+    const items = (shown.truth.value?.truth ?? []).filter((item) => toView(item.frame) && distance(item) < REACH && mover(shown, item));
     return items.sort((one, other) => distance(one) - distance(other))[0];
   };
   const end = () => {
@@ -65,9 +69,10 @@ export function useDrag({ shown, mapOf, visible }) {
         return;
       }
       event.currentTarget.setPointerCapture(event.pointerId);
-      const at = mapOf(event.currentTarget).at(event.offsetX, event.offsetY);
+      const matrix = toView(item.frame);
+      const at = applied(inverse(matrix), mapOf(event.currentTarget).at(event.offsetX, event.offsetY));
       // It keeps its distance from the pointer.
-      state.current = { drag: { to: null, done: false, call: mover(shown, item), item: item.value }, offset: [item.value.x - at[0], item.value.y - at[1]] };
+      state.current = { drag: { to: null, done: false, call: mover(shown, item), item: item.value }, matrix, offset: [item.value.x - at[0], item.value.y - at[1]] };
     },
     onPointerMove: (event) => {
       const moving = state.current;
@@ -76,10 +81,10 @@ export function useDrag({ shown, mapOf, visible }) {
         return;
       }
       event.currentTarget.style.cursor = 'grabbing';
-      const at = mapOf(event.currentTarget).at(event.offsetX, event.offsetY);
+      const [x, y] = applied(inverse(moving.matrix), mapOf(event.currentTarget).at(event.offsetX, event.offsetY));
       const begins = moving.drag.to === null;
-      moving.drag.to = inRange(moving.drag.call, at.map((value, axis) => value + moving.offset[axis]));
-      dragged.value = moving.drag.to;
+      moving.drag.to = inRange(moving.drag.call, [x + moving.offset[0], y + moving.offset[1]]);
+      dragged.value = applied(moving.matrix, moving.drag.to);
       if (!begins) return;
       follow(shown.id, moving.drag).finally(() => {
         dragged.value = null;

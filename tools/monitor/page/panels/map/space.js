@@ -75,7 +75,8 @@ export function Space({ content, overlay, reads, visible, ground, flatten, ...ha
     if (!space.current) return;
     const all = content();
     space.current.draw(width, height, { ...all, follow: follows.value ? all.follow : null });
-    drawNames(context, all.frames.map(({ name, matrix }) => [name, space.current.project(applied(matrix, [0, 0, 0]), width, height)]));
+    const named = [...all.frames.map(({ name, matrix }) => [name, applied(matrix, [0, 0, 0])]), ...all.labels.map(({ text, point }) => [text, point])];
+    drawNames(context, named.map(([name, point]) => [name, space.current.project(point, width, height)]));
     overlay(context, width, height, ...all.legend);
   };
   const look = (above) => () => {

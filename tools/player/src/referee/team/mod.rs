@@ -6,6 +6,7 @@ mod figures;
 mod fouls;
 mod half;
 mod halves;
+mod links;
 mod player;
 mod radio;
 mod real_time;
@@ -39,10 +40,14 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
 /// Refuses options that a match does not support.
 fn refuse(args: &Play) -> Result<(), Failure> {
     refuse_other_network(args)?;
-    let is_watched = args.pictures.is_some() || args.film.is_some();
-    if is_watched || args.link.address().is_some() {
-        let what = "a match has no pictures, films and links";
-        return Err(Failure::new(what, "leave out --pictures, --film and --serve; --record FOLDER records all robots"));
+    if args.pictures.is_some() || args.film.is_some() {
+        let what = "a match has no pictures and films";
+        return Err(Failure::new(what, "leave out --pictures and --film; --record FOLDER records all robots"));
+    }
+    let is_node = args.link.serve.is_none() && args.link.address().is_some();
+    if is_node || args.link.unpaced {
+        let what = "a match is played in real time, and its robots are no ROS nodes";
+        return Err(Failure::new(what, "leave out --unpaced and --ros"));
     }
     if args.games.is_none() && args.referee.idle {
         let what = "--idle belongs to a series of halves, and this match follows a GameController";

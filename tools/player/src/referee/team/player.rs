@@ -1,14 +1,17 @@
 //! One robot of a match.
 
 use bica::Instant;
-use bica::runner::Runner;
+use bica::runner::{Requests, Runner};
 use bica_app::{Failure, RecordedFile};
+use bica_link::LinkObserver;
 use bica_motion::robot::{Command, Sensors};
+use bica_player::Forward;
 use bica_player::referee::{TeamCommand, TeamForward, TeamSensors};
 use bica_recording::Recorder;
 use bica_sim::World;
-use bica_sim::kinematic::KinematicWorld;
+use bica_sim::kinematic::{KinematicWorld, MatchField};
 
+use super::links::PlayerLink;
 use super::recording::RobotRecording;
 use crate::referee::network::PlayerNetwork;
 
@@ -32,9 +35,13 @@ impl Network for PlayerNetwork {
     }
 }
 
+/// Observers of a robot, if it is served and recorded.
+type Observers = (Option<LinkObserver<TeamForward>>, Option<Recorder>);
+
 /// A robot with its network.
 pub(super) struct Player<N> {
-    runner: Runner<Box<TeamForward>, (), (), Option<Recorder>>,
+    runner: Runner<Box<TeamForward>, (), (), Observers>,
+    link: Option<PlayerLink>,
     file: Option<RecordedFile>,
     pub(super) network: N,
 }
@@ -43,7 +50,35 @@ impl<N: Network> Player<N> {
     /// Creates a robot at its start, which may be recorded.
     pub(super) fn new(forward: Box<TeamForward>, network: N, recording: Option<RobotRecording>) -> Self {
         let (file, recorder) = recording.unzip();
-        Self { runner: Runner::new(forward, ()).with_observer(recorder), file, network }
+        Self { runner: Runner::new(forward, ()).with_observer((None, recorder)), link: None, file, network }
+    }
+
+    /// Serves the robot to monitors.
+    pub(super) fn serve(&mut self, (link, view): (PlayerLink, LinkObserver<TeamForward>)) {
+        (self.link, self.runner.observer_mut().0) = (Some(link), Some(view));
+    }
+
+    /// Applies what monitors request of the robot, or of its world.
+    pub(super) fn apply_requests(&mut self, now: Instant, field: &mut MatchField, robot: usize) {
+        let Some(PlayerLink { requests, .. }) = &mut self.link else { return };
+        while let Some(request) = requests.next(now) {
+            let result = field.operate(robot, |world| self.runner.request_in(now, Some(world), request));
+            requests.answered(now, result);
+        }
+    }
+
+    /// Shows monitors the true state of the robot's world.
+    pub(super) fn show_truth(&self, world: &KinematicWorld) {
+        if let (Some(view), _) = self.runner.observer() {
+            view.show_scene(|scene| bica::runner::World::<Forward>::truth(world, scene));
+        }
+    }
+
+    /// Tells monitors an event of the match.
+    pub(super) fn tell(&self, kind: &str, detail: &str) {
+        if let Some(PlayerLink { server, .. }) = &self.link {
+            server.event(kind, detail);
+        }
     }
 
     /// Tree of the robot.
@@ -68,7 +103,7 @@ impl<N: Network> Player<N> {
 
     /// Closes the recording; returns a line of text about it.
     pub(super) fn close(&mut self) -> Option<String> {
-        let recorder = self.runner.observer_mut().take();
+        let recorder = self.runner.observer_mut().1.take();
         self.file.take().zip(recorder).map(|(file, recorder)| file.describe(&recorder.finish("end of the match")))
     }
 }

@@ -11,6 +11,7 @@ use bica_player::referee::{GameController, Identity, TeamForward};
 
 use super::assistants::Assistants;
 use super::entrants::{field, identities};
+use super::links;
 use super::player::Player;
 use super::recording;
 use super::teams::{CYCLE, Teams};
@@ -26,29 +27,31 @@ const LATE: Duration = Duration::from_millis(200);
 /// Plays until the end is requested.
 pub(super) fn run(args: &Play, teams: [u8; 2]) -> Result<Outcome, Failure> {
     let players = identities(teams, args.referee.players);
-    let mut game = open(args, &players)?;
-    let mut truth = Truth::connect(args.referee.truth.as_deref())?;
     let console = Console::new(args.json);
+    let mut game = open(args, &players, console)?;
+    let mut truth = Truth::connect(args.referee.truth.as_deref())?;
     let mut assistants = Assistants::default();
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let (mut start, mut score, mut slow) = (Instant::now(), [0; 2], Duration::ZERO);
     let limit = args.seconds.map_or(u64::MAX, |seconds| (100.0 * seconds) as u64);
     while game.cycle < limit && !interrupt::requested() {
         truth.write(game.cycle, &players, &game.field);
+        game.apply_requests();
         game.step(threads)?;
         assistants.carry(&mut game);
         let foul = if is_playing(&game) { assistants.judge(&game) } else { None };
         if let Some((robot, penalty)) = foul {
             let (Identity { team, player }, name) = (players[robot], penalty_name(penalty));
-            console.print(&format!("{:8.2} s  foul: penalty {team} {player} {name}", game.seconds()))?;
+            tell(console, &game, "foul", &format!("penalty {team} {player} {name}"))?;
         }
         for reason in game.players.iter().filter_map(Player::recording_ended) {
             eprintln!("warning: a recording ended, the match goes on: {reason}");
         }
         if game.field.score() != score {
             score = game.field.score();
-            console.print(&format!("{:8.2} s  goal, {} : {}", game.seconds(), score[0], score[1]))?;
+            tell(console, &game, "goal", &format!("{} : {}", score[0], score[1]))?;
         }
+        game.show_truth();
         let due = start + CYCLE * u32::try_from(game.cycle).unwrap_or(u32::MAX);
         match due.checked_duration_since(Instant::now()) {
             Some(wait) => thread::sleep(wait),
@@ -60,15 +63,21 @@ pub(super) fn run(args: &Play, teams: [u8; 2]) -> Result<Outcome, Failure> {
     Ok(if interrupt::requested() { Outcome::Interrupted } else { Outcome::Success })
 }
 
+/// Prints an event of the match, and tells it to monitors.
+fn tell(console: Console, game: &Teams<PlayerNetwork>, kind: &str, detail: &str) -> Result<(), Failure> {
+    game.players.iter().for_each(|player| player.tell(kind, detail));
+    console.print(&format!("{:8.2} s  {kind}: {detail}", game.seconds()))
+}
+
 /// Whether the newest packet shows the state playing.
 fn is_playing(game: &Teams<PlayerNetwork>) -> bool {
     let states = |player: &Player<_>| player.forward().get::<GameController>().state();
     game.players.first().and_then(states) == Some(PlayState::Playing)
 }
 
-fn open(args: &Play, players: &[Identity]) -> Result<Teams<PlayerNetwork>, Failure> {
+fn open(args: &Play, players: &[Identity], console: Console) -> Result<Teams<PlayerNetwork>, Failure> {
     recording::create_folder(args)?;
-    let field = field(args, args.seed, players)?;
+    let mut field = field(args, args.seed, players)?;
     let layers = args.tuning.layers(const { &TeamForward::GRAPH }, "team")?;
     let player = |(index, me): (usize, &Identity)| {
         let network = PlayerNetwork::open(*me, &ports(args, None, *me)?)?;
@@ -78,7 +87,12 @@ fn open(args: &Play, players: &[Identity]) -> Result<Teams<PlayerNetwork>, Failu
         let recording = args.record.record.as_ref().map(start).transpose()?;
         Ok(Player::new(forward, network, recording))
     };
-    let robots = players.iter().enumerate().map(player).collect::<Result<_, Failure>>()?;
+    let mut robots = players.iter().enumerate().map(player).collect::<Result<Vec<_>, Failure>>()?;
+    for ((index, player), world) in robots.iter_mut().enumerate().zip(field.worlds_mut()) {
+        if let Some(link) = links::open(args, (index, players[index]), world, console)? {
+            player.serve(link);
+        }
+    }
     Ok(Teams::new(field, robots))
 }
 

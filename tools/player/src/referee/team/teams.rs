@@ -61,6 +61,21 @@ impl<N: Network> Teams<N> {
         self.cycle += 1;
         Ok(())
     }
+
+    /// Applies what monitors request before a cycle.
+    pub(super) fn apply_requests(&mut self) {
+        let now = Instant::from_millis(10 * self.cycle);
+        for (robot, player) in self.players.iter_mut().enumerate() {
+            player.apply_requests(now, &mut self.field, robot);
+        }
+    }
+
+    /// Shows monitors the true state after a cycle.
+    pub(super) fn show_truth(&mut self) {
+        for (player, world) in self.players.iter().zip(self.field.worlds_mut()) {
+            player.show_truth(world);
+        }
+    }
 }
 
 fn ended(thread: ScopedJoinHandle<'_, Result<(), Failure>>) -> Result<(), Failure> {

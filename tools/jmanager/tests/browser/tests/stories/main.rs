@@ -26,6 +26,7 @@ mod running;
 mod space;
 mod spans;
 mod stopping;
+mod team;
 mod therapy;
 mod units;
 mod uses;

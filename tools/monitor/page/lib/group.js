@@ -1,0 +1,57 @@
+// Robots of a group in one view: what names a session, which sessions are of one group, and all of a tree side by side.
+
+import { effect, untracked, useEffect, useRef } from './dom.js';
+import { resolved } from './curves.js';
+import { text, valueAt } from './format.js';
+import { putBeside, session, sessions, watch } from './store.js';
+import { curveColour } from './theme.js';
+
+/** Names of outputs in a label such as `{Game.team}-{Game.player}`. */
+const PARTS = /\{([^{}]+)\}/g;
+
+/** The shown value of an output of a session as text; empty without one. */
+export function shownText(of, name) {
+  const place = resolved(of, name)?.place;
+  const value = place && valueAt(of.info_of(...place).now.value?.value, resolved(of, name).path);
+  return value === null || value === undefined ? '' : text(value);
+}
+
+/** A label with its values. A session without all of them has its own name. */
+export function labelOf(of, label) {
+  const known = [...label.matchAll(PARTS)].every(([, name]) => shownText(of, name));
+  return known ? label.replace(PARTS, (_, name) => shownText(of, name)) : of.info.value.name;
+}
+
+const COLOURS = [0, 6, 2, 5];
+
+/** Colours by the values of an output that names the group of a session, for all sessions: Map from value to colour. */
+export function groupsOf(all, name) {
+  const values = [...new Set(all.map((of) => shownText(of, name)))].sort((one, other) => one.localeCompare(other, 'en', { numeric: true }));
+  return new Map(values.map((value, index) => [value, curveColour(COLOURS[index % COLOURS.length])]));
+}
+
+/** Watches the outputs of labels, and the one that names the group, of all sessions. */
+export function useLabels(all, [...labels], group, visible) {
+  const names = [...labels.flatMap((label) => [...label.matchAll(PARTS)].map(([, name]) => name)), ...(group ? [group] : [])];
+  useEffect(() => {
+    if (!visible.value || names.length === 0) return undefined;
+    const places = (of) => names.flatMap((name) => resolved(of, name)?.inputs ?? []).map(({ place }) => [...place, 10]);
+    const ends = all.map((of) => watch({ info: places(of) }, of));
+    return () => ends.forEach((end) => end());
+  }, [visible.value, all.map(({ id }) => id).join(), names.join()]);
+}
+
+/** Shows all sessions with the tree of the chosen one beside it, also those that come later. One that somebody puts away stays away. */
+export function useAllBeside(on) {
+  const known = useRef(new Set());
+  useEffect(() => (on ? effect(() => {
+    const chosen = session.value;
+    const isReady = (of) => of.info.value.kind === 'recording' || of.live.value !== null;
+    const name = chosen?.description.value?.name;
+    for (const of of sessions.value.values()) {
+      if (of === chosen || known.current.has(of.id) || !name || of.description.value?.name !== name || !isReady(of) || !isReady(chosen)) continue;
+      known.current.add(of.id);
+      untracked(() => putBeside(of.id, true));
+    }
+  }) : undefined), [on]);
+}
