@@ -13,7 +13,8 @@ export function drawLabels(context, labels, width, height) {
   for (const { text, colour, at: [x, y] } of labels) {
     const wide = context.measureText(text).width + 12;
     const left = Math.min(Math.max(x - wide / 2, 2), width - wide - 2);
-    let top = Math.min(y + 14, height - HIGH);
+    // Whole numbers: a label that was moved below another one no longer covers it.
+    let top = Math.round(Math.min(y + 14, height - HIGH));
     const covered = () => taken.find((other) => Math.abs(other.top - top) < HIGH && left < other.right && other.left < left + wide);
     for (let over = covered(); over; over = covered()) top = over.top + HIGH;
     taken.push({ left, right: left + wide, top });

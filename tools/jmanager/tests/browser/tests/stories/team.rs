@@ -44,7 +44,7 @@ impl Match {
 /// Waits until the rows of the players have these names, and the cells of the last one fulfil a condition.
 async fn players(page: &Page, condition: &str) {
     let script = format!(
-        "const rows = [...document.querySelectorAll('[aria-label=Sessions] tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent)); \
+        "const rows = [...document.querySelectorAll('.group tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent)); \
         return rows.map(([name]) => name).join() === '5-1,5-2,23-1,23-2' && rows.every((row) => row.length === 11) && {condition}"
     );
     page.until(condition, &script).await;
@@ -70,7 +70,7 @@ async fn players_of_a_match_are_in_one_view() {
         )
         .await;
     }
-    players(&page, "document.querySelector('[aria-label=Sessions] .chosen').textContent.startsWith('23-2')").await;
+    players(&page, "document.querySelector('.group .chosen').textContent.startsWith('23-2')").await;
     for size in [WIDE, SMALL, (1024, 768)] {
         show_in(&page, size).await;
         for theme in ["dark", "light"] {
@@ -92,7 +92,7 @@ async fn recordings_of_a_match_are_in_one_view() {
     let files = ["5-1", "5-2", "23-1", "23-2"].map(|name| folder.argument(&format!("{name}.mcap")));
     let server = Server::start("team-recorded", &files.each_ref().map(|file| file.as_str()));
     let page = Page::open(&server, WIDE).await;
-    page.counts("[aria-label=Sessions] tbody tr", "=== 4").await;
+    page.counts(".group tbody tr", "=== 4").await;
     page.press("\u{e010}").await;
     players(&page, "rows.every(([, , order]) => order === 'Initial')").await;
     page.close().await;
