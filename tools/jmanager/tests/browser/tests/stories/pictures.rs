@@ -10,6 +10,7 @@ use crate::access::set_theme;
 use crate::glance::{SMALL, show_in};
 use crate::motions::{Sources, handle};
 use crate::open_in;
+use crate::team::{Match, players};
 
 /// Time limit of 20 trials in MuJoCo.
 const LONG: Duration = Duration::from_secs(300);
@@ -188,6 +189,21 @@ async fn picture_of_two_runs() {
     page.click("switch", "Different", "Timeline").await;
     tokio::time::sleep(std::time::Duration::from_secs(2)).await;
     page.screenshot("docs-jmanager-beside").await;
+    page.close().await;
+}
+
+#[tokio::test]
+#[ignore = "makes a picture of the documentation again"]
+async fn picture_of_a_team() {
+    let game = Match::start("picture-team");
+    let server = Server::start("picture-team", &[&game.addresses()]);
+    let page = Page::open(&server, SMALL).await;
+    show_in(&page, SMALL).await;
+    set_theme(&page, "dark").await;
+    page.run("return import('/lib/dock.js').then(({ preset }) => { preset('team'); })").await;
+    players(&page, "rows.filter((row) => row[5] === 'Striker').length === 2").await;
+    tokio::time::sleep(Duration::from_secs(2)).await;
+    page.screenshot("docs-jmanager-team").await;
     page.close().await;
 }
 

@@ -15,19 +15,19 @@ const MATCH: &str = "ready 5\nwait 8\nset\nwait 1\nplaying\nwait 4\npenalty 23 2
 const TEAMS: [&str; 6] = ["--teams", "5,23", "--players", "2", "--control-port", "48391"];
 
 /// A running match with its referee.
-struct Match {
+pub(crate) struct Match {
     _referee: Referee,
     robots: Robot,
     _script: Folder,
 }
 
 impl Match {
-    /// Starts a match with more arguments of `player play`, each player at the next port.
-    fn start(name: &str, more: &[&str]) -> Self {
+    /// Starts a match, each player at the next port.
+    pub(crate) fn start(name: &str) -> Self {
         let is_free = |port: &u16| (0..4).all(|robot| TcpListener::bind(("127.0.0.1", port + robot)).is_ok());
         let port = (27_400..29_000).step_by(8).find(is_free).expect("four free ports");
         let play = ["--world", "team", "--size", "160x120", "--return-port", "48392", "--broadcast", "127.255.255.255"];
-        let robots = Robot::start_at(&format!("127.0.0.1:{port}"), &[&play[..], &TEAMS, more].concat());
+        let robots = Robot::start_at(&format!("127.0.0.1:{port}"), &[&play[..], &TEAMS].concat());
         let script = Folder::new(&format!("{name}-script"));
         script.write("match.txt", MATCH);
         let network = ["--to", "127.255.255.255", "--return-port", "48392", "--script", &script.argument("match.txt")];
@@ -35,16 +35,17 @@ impl Match {
     }
 
     /// The addresses of all players, as an argument of the server.
-    fn addresses(&self) -> String {
+    pub(crate) fn addresses(&self) -> String {
         let port: u16 = self.robots.address.rsplit_once(':').and_then(|(_, port)| port.parse().ok()).expect("a port");
         format!("tcp://{}..{}", self.robots.address, port + 3)
     }
 }
 
-/// Waits until the rows of the players have these names, and the cells of the last one fulfil a condition.
-async fn players(page: &Page, condition: &str) {
+/// Waits until the rows of the players have these names, and `rows`, the texts of their cells, fulfil a condition.
+pub(crate) async fn players(page: &Page, condition: &str) {
     let script = format!(
-        "const rows = [...document.querySelectorAll('.group tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent)); \
+        "const rows = [...document.querySelectorAll('.group tbody tr')]\
+            .map((row) => [...row.cells].map((cell) => cell.textContent)); \
         return rows.map(([name]) => name).join() === '5-1,5-2,23-1,23-2' && rows.every((row) => row.length === 11) && {condition}"
     );
     page.until(condition, &script).await;
@@ -52,7 +53,7 @@ async fn players(page: &Page, condition: &str) {
 
 #[tokio::test]
 async fn players_of_a_match_are_in_one_view() {
-    let game = Match::start("team", &[]);
+    let game = Match::start("team");
     let server = Server::start("team", &[&game.addresses()]);
     let page = Page::open(&server, WIDE).await;
     players(&page, "rows.every(([, state]) => state !== '–')").await;
@@ -75,7 +76,7 @@ async fn players_of_a_match_are_in_one_view() {
         show_in(&page, size).await;
         for theme in ["dark", "light"] {
             set_theme(&page, theme).await;
-            page.run("import('/lib/dock.js').then(({ preset }) => preset('team'))").await;
+            page.run("return import('/lib/dock.js').then(({ preset }) => { preset('team'); })").await;
             tokio::time::sleep(std::time::Duration::from_secs(1)).await;
             page.screenshot(&format!("{theme}-{}-team", size.0)).await;
             assert_eq!(page.run(FAULTS).await, json!([]), "{theme} {size:?}");
