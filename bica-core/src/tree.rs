@@ -53,8 +53,8 @@ pub use lone_machine::LoneMachine;
 ///
 /// - [`is_active`](Handle::is_active) and [`state`](Tree::state) show the tree as it was when the tick unwound.
 /// - The next tick begins with stopping every component that was active then, activators first: their `#[stop]` hooks are
-///   called. After that the tree starts as if no component had ever been active: every component that is visited is
-///   started, and every state machine begins in its initial state, also one that resumes.
+///   called. After that the tree starts as if they had never been active: every component that is visited is started, and a
+///   state machine that was active begins in its initial state, also if it resumes.
 ///
 /// So a component for which `start` was called is stopped once, and no component continues without `start`, whatever the
 /// tick had done before. Values of components, parameters, rates and holds stay as they are. If a `#[stop]` hook panics, its component

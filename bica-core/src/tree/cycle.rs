@@ -148,17 +148,6 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
         self.probe.skip(id::<T, C>());
     }
 
-    /// The visit of `C`, in which it ran, ends.
-    #[inline]
-    pub fn end_run<C: 'static>(&mut self)
-    where
-        T: Has<C>,
-    {
-        if T::Member::TIMED || const { is_aged::<T, C>() } {
-            self.store.component_state::<C>().record_run(self.now());
-        }
-    }
-
     /// Makes `C` latent.
     #[inline]
     pub fn stop<C: 'static>(&mut self)
@@ -221,13 +210,24 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
         }
     }
 
-    /// The own code of `C` ends.
     #[inline]
-    pub fn end_code<C: 'static>(&mut self)
+    fn end_code<C: 'static>(&mut self)
     where
         T: Has<C>,
     {
         self.probe.end(id::<T, C>());
+    }
+
+    /// The run of `C` ends, and with it its own code. What it modulates is visited after that and finds that it has run.
+    #[inline]
+    pub fn end_run<C: 'static>(&mut self)
+    where
+        T: Has<C>,
+    {
+        if T::Member::TIMED || const { is_aged::<T, C>() } {
+            self.store.component_state::<C>().record_run(self.now());
+        }
+        self.end_code::<C>();
     }
 
     #[inline]

@@ -36,9 +36,6 @@ macro_rules! __visit_functions {
                         cycle.skip::<$component>();
                     }
                     $crate::__pass!($component, cycle, visit);
-                    if visit.due {
-                        cycle.end_run::<$component>();
-                    }
                 }
                 return;
             }
@@ -51,7 +48,6 @@ macro_rules! __visit_functions {
             if !outcome.is_closed() {
                 let visit = $crate::__private::Visit { due: true, entering: outcome.is_entering() };
                 $crate::__pass!($component, cycle, visit);
-                cycle.end_run::<$component>();
             }
         }
 
@@ -64,9 +60,6 @@ macro_rules! __visit_functions {
             if const { $crate::__private::is_fixed::<Self, $component>(__PLAN) } {
                 let is_due = cycle.visit_steady::<$component>();
                 $crate::__pass!($component, cycle, is_due, __PLAN);
-                if is_due {
-                    cycle.end_run::<$component>();
-                }
             } else {
                 <Self as $crate::__private::Has<$component>>::visit(cycle);
             }

@@ -15,15 +15,20 @@ impl Eye {
     fn step(&mut self) {}
 }
 
-pub(crate) struct Lamp;
+/// Notes the age of its activator.
+pub(crate) struct Lamp {
+    reader: Option<Duration>,
+}
 
 #[component(crate = bica_core)]
 impl Lamp {
     const fn new() -> Self {
-        Self
+        Self { reader: None }
     }
 
-    fn step(&mut self) {}
+    fn step(&mut self, reader: &Age<Reader>) {
+        self.reader = reader.since_run();
+    }
 }
 
 /// Notes the ages of the eye, which is linked before or after it, and of the lamp.
@@ -109,6 +114,13 @@ fn an_age_grows_while_a_component_is_latent() {
     assert!(tree.get::<Reader>().is_new);
     tree.rate_mut::<Eye>().set(0.0);
     assert_eq!(ages(&mut tree, [1140].into_iter()), [Some(1020)], "at rest");
+}
+
+#[test]
+fn a_modulated_child_finds_that_its_activator_ran() {
+    let mut tree = Ages::new();
+    ages(&mut tree, (0..=440).step_by(20));
+    assert_eq!(tree.get::<Lamp>().reader, Some(Duration::from_ticks(0)));
 }
 
 #[test]

@@ -156,7 +156,7 @@ impl Parts<'_> {
                 #entering
                 #leaving
                 #body
-                cycle.end_code::<Self>();
+                cycle.end_run::<Self>();
             }
             #after
             return;

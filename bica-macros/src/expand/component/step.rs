@@ -17,7 +17,7 @@ pub(super) fn expand(p: &TokenStream, step: Option<&Function>, visits: &Visits, 
     let run = quote! {
         cycle.begin_run::<Self>();
         #call
-        cycle.end_code::<Self>();
+        cycle.end_run::<Self>();
     };
     quote! {
         #[inline]
