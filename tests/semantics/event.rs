@@ -1,6 +1,6 @@
 //! Events of a tree. The probe and the components add to the same list.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use bica::prelude::*;
 use bica::{End, JobEnd};
@@ -79,11 +79,41 @@ pub(crate) enum Event {
 
 thread_local! {
     static EVENTS: RefCell<Vec<Event>> = const { RefCell::new(Vec::new()) };
+    static COUNTS: Cell<(u64, u64)> = const { Cell::new((0, 0)) };
+    /// Number of calls of functions of components before one panics.
+    static COUNTDOWN: Cell<u32> = const { Cell::new(u32::MAX) };
 }
 
 /// Records an event.
 pub(crate) fn record(event: Event) {
     EVENTS.with_borrow_mut(|events| events.push(event));
+}
+
+/// Records a call of a function of a component, unless it panics.
+pub(crate) fn record_call(event: Event) {
+    called();
+    record(event);
+}
+
+/// Counts a call of a function of a component, and panics without a message if it is the one that [`panic_after`] chose.
+pub(crate) fn called() {
+    let ((calls, panics), left) = (COUNTS.get(), COUNTDOWN.get());
+    COUNTS.set((calls + 1, panics + u64::from(left == 0)));
+    COUNTDOWN.set(left.saturating_sub(u32::from(left != u32::MAX)));
+    if left == 0 {
+        COUNTDOWN.set(u32::MAX);
+        std::panic::resume_unwind(Box::new("caused by the test"));
+    }
+}
+
+/// Lets the call after this number of calls panic; none if it is `u32::MAX`.
+pub(crate) fn panic_after(calls: u32) {
+    COUNTDOWN.set(calls);
+}
+
+/// Numbers of calls of functions of components in this thread, and of those that panicked.
+pub(crate) fn counts() -> (u64, u64) {
+    COUNTS.get()
 }
 
 /// Returns the events recorded since the last call.

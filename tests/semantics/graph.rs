@@ -2,19 +2,23 @@
 
 use std::vec::IntoIter;
 
+use bica::End;
 use bica::graph::{Graph, Transition};
-use bica::{End, JobEnd};
 
 use super::event::{Event, Read, Times};
+use super::jobs::Job;
 use super::rules::{self, Memory};
 use super::test_tree::Hook;
-use super::unit::{BEGIN, Carried, HOOK, bit, compute, mix};
+use super::unit::{Carried, HOOK, bit, mix};
 
 /// Ticks of the clock per second.
 const SECOND: f64 = 1e6;
 
 /// Period from which a component never runs, ticks of the clock.
 const NEVER: f64 = 4_611_686_018_427_387_904.0;
+
+/// Difference if the tree made fewer calls than the rules require.
+pub(super) const NO_EVENT: &str = "no further event";
 
 /// Number of bits for fractions of a tick in [`Times`].
 const FRACTION_BITS: u32 = 32;
@@ -32,26 +36,13 @@ pub(crate) struct Data {
     /// Whether the component was ever active.
     pub(crate) started: bool,
     pub(crate) flags: u32,
-    value: u64,
-    received: u64,
+    pub(super) value: u64,
+    pub(super) received: u64,
     /// Value that the transition of this run found.
-    found: Option<Carried>,
+    pub(super) found: Option<Carried>,
     /// Number of transitions with `times` in a row.
     taken: u8,
-    job: Job,
-}
-
-/// Job of a component.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-enum Job {
-    #[default]
-    None,
-    /// Begun in this cycle, with the value that it computes from.
-    Begun(u64),
-    /// The same, and its due time.
-    Running(u64, u64),
-    /// Its result.
-    Ready(u64),
+    pub(super) job: Job,
 }
 
 /// Model of a tree.
@@ -61,7 +52,9 @@ pub(crate) struct Model {
     pub(crate) memories: Vec<Memory>,
     pub(crate) components: Vec<Data>,
     pub(super) activators_first: Vec<usize>,
-    now: u64,
+    pub(super) now: u64,
+    /// Whether jobs have ended in this cycle, and visits begun.
+    pub(super) visits: bool,
     /// Recorded events that have not been compared with the model yet.
     events: IntoIter<Event>,
 }
@@ -78,6 +71,7 @@ impl Model {
             components: graph.nodes.iter().map(|node| Data { hz: node.hz, ..Data::default() }).collect(),
             activators_first: activators_first(&graph),
             now: 0,
+            visits: false,
             events: Vec::new().into_iter(),
         }
     }
@@ -96,8 +90,10 @@ impl Model {
     /// Runs one cycle and compares the actual events with those that the rules require.
     pub(crate) fn tick(&mut self, now: u64, events: Vec<Event>) -> Comparison {
         (self.now, self.events) = (now, events.into_iter());
+        self.visits = false;
         self.expect(&Event::CycleBegin(now))?;
         self.end_jobs()?;
+        self.visits = true;
         self.cycle()?;
         self.begin_jobs()?;
         self.expect(&Event::CycleEnd)?;
@@ -208,46 +204,6 @@ impl Model {
         }
     }
 
-    /// A job that is due ends before any component is visited.
-    fn end_jobs(&mut self) -> Comparison {
-        for index in 0..self.components.len() {
-            if let Job::Running(value, due) = self.components[index].job
-                && self.now >= due
-            {
-                self.components[index].job = Job::Ready(compute(value));
-                self.expect(&Event::WorkEnded(index, JobEnd::OnTime))?;
-            }
-        }
-        Ok(())
-    }
-
-    /// A job that was begun in this cycle is due a declared time later.
-    fn begin_jobs(&mut self) -> Comparison {
-        for index in 0..self.components.len() {
-            if let (Job::Begun(value), Some(work)) = (self.components[index].job, self.graph.nodes[index].work) {
-                let due = self.now.saturating_add(u64::from(work.takes_ms) * 1000);
-                self.components[index].job = Job::Running(value, due);
-                self.expect(&Event::WorkBegun(index, due))?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Compares what a component with work found in its run, and begins a job in place of another one if its flags say so.
-    fn worked(&mut self, index: usize, found: (Option<u64>, bool)) -> Comparison {
-        let data = &mut self.components[index];
-        let result = if let Job::Ready(result) = data.job { Some(result) } else { None };
-        if result.is_some() {
-            data.job = Job::None;
-        }
-        let expected = (result, data.job == Job::None);
-        data.value = result.map_or(data.value, |result| mix(data.value, result));
-        if data.flags & bit(BEGIN) != 0 {
-            data.job = Job::Begun(data.value);
-        }
-        if found == expected { Ok(()) } else { Err(format!("{found:?} instead of {expected:?}")) }
-    }
-
     /// Time in the state. After the clock was set back to before the entry, the time counts from there.
     fn in_state(&mut self, index: usize) -> u64 {
         let memory = &mut self.components[index];
@@ -292,10 +248,10 @@ impl Model {
     }
 
     fn next(&mut self) -> Result<Event, String> {
-        self.events.next().ok_or_else(|| "no further event".into())
+        self.events.next().ok_or_else(|| NO_EVENT.into())
     }
 
-    fn expect(&mut self, expected: &Event) -> Comparison {
+    pub(super) fn expect(&mut self, expected: &Event) -> Comparison {
         let event = self.next()?;
         if event == *expected { Ok(()) } else { Err(format!("{event:?} instead of {expected:?}")) }
     }

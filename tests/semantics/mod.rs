@@ -6,16 +6,19 @@
 
 mod event;
 mod graph;
+mod jobs;
 mod play;
 mod rules;
 mod script;
 mod test_tree;
 mod trees;
 mod unit;
+mod unwinding;
 
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 
+use event::counts;
 use play::play;
 use script::{Script, Stress, scripts};
 
@@ -37,6 +40,8 @@ fn check(test: &'static str, stress: Stress, play: fn(&Script) -> Result<(), Tes
     if let Err(error) = runner.run(&scripts(stress), |script| play(&script)) {
         panic!("{error}\n{runner}");
     }
+    let (calls, panicked) = counts();
+    assert!(calls > 0 && (panicked > 0) == (stress.panics > 0), "{calls} calls, {panicked} of which panicked");
 }
 
 /// Generates a module with a test for each tree.
@@ -79,11 +84,17 @@ on_trees!(
 on_trees!(
     /// Components held active and latent.
     holds,
-    Stress { flags: 4, rates: 1, holds: 8, jumps: false }
+    Stress { flags: 4, rates: 1, holds: 8, ..Stress::default() }
 );
 
 on_trees!(
     /// All of these, with a clock that jumps and goes back.
     jumps,
-    Stress { flags: 6, rates: 6, holds: 4, jumps: true }
+    Stress { flags: 6, rates: 6, holds: 4, jumps: true, ..Stress::default() }
+);
+
+on_trees!(
+    /// Steps, states, conditions, hooks and jobs that panic.
+    panics,
+    Stress { flags: 8, rates: 1, holds: 3, panics: 20, jumps: false }
 );

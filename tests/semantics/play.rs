@@ -1,10 +1,12 @@
 //! Execution of a script on a tree and on its model.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use bica::Status;
 use bica::prelude::*;
 use proptest::prelude::*;
 
-use super::event::{Recorder, take_events};
+use super::event::{Recorder, panic_after, take_events};
 use super::graph::Model;
 use super::script::{Action, Script};
 use super::test_tree::TestTree;
@@ -20,11 +22,19 @@ pub(crate) fn play<T: TestTree>(script: &Script) -> Result<(), TestCaseError> {
             perform(&mut tree, &mut model, index.index(T::COUNT), *action);
         }
         now = tick.clock.after(now);
-        tree.tick_with(Instant::from_ticks(now), &mut Recorder);
+        panic_after(tick.panics.unwrap_or(u32::MAX));
+        let ticked = catch_unwind(AssertUnwindSafe(|| tree.tick_with(Instant::from_ticks(now), &mut Recorder)));
+        panic_after(u32::MAX);
         let events = take_events();
-        let differs = model.tick(now, events.clone());
+        let differs = if ticked.is_ok() {
+            model.tick(now, events.clone())
+        } else {
+            model.unwound(now, events.clone()).map(|()| take_over(&mut tree, &mut model))
+        };
         prop_assert!(differs.is_ok(), "cycle {}: {}\n{:#?}", number, differs.unwrap_err(), events);
-        compare(&tree, &model)?;
+        if ticked.is_ok() {
+            compare(&tree, &model)?;
+        }
     }
     Ok(())
 }
@@ -45,6 +55,15 @@ fn perform<T: TestTree>(tree: &mut T, model: &mut Model, index: usize, action: A
             tree.at_mut(index).unwrap().hold(hold);
             model.memories[index].hold = hold;
         }
+    }
+}
+
+/// Gives the model what a function had changed before it panicked.
+fn take_over<T: TestTree>(tree: &mut T, model: &mut Model) {
+    for index in 0..T::COUNT {
+        let status = tree.status(index).expect("a component");
+        let unit = tree.unit(index);
+        model.take_over(index, &status, (unit.value, unit.received));
     }
 }
 

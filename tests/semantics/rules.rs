@@ -29,12 +29,28 @@ pub(crate) struct Memory {
     anew: bool,
     /// A component with `writers = last` is to be visited at the end of the cycle.
     put_off: bool,
+    /// A tick unwound while it was active.
+    pub(crate) interrupted: bool,
+}
+
+impl Memory {
+    /// Ends its visit in a cycle that unwinds.
+    pub(crate) fn end_visit(&mut self) {
+        (self.visited, self.put_off) = (false, false);
+    }
 }
 
 impl Model {
-    /// Runs one cycle: visits the root, then all components that are held active, then those that were put off; then stops the components
+    /// Runs one cycle: stops what was active when the last tick unwound; visits the root, then all components that are held active, then those that were put off; then stops the components
     /// that were not visited.
     pub(crate) fn cycle(&mut self) -> Comparison {
+        for index in self.activators_first.clone() {
+            let memory = &mut self.memories[index];
+            if std::mem::take(&mut memory.interrupted) {
+                (memory.active, memory.state, memory.anew) = (false, None, false);
+                self.discard(index)?;
+            }
+        }
         self.visit(self.graph.root)?;
         for index in self.activators_first.clone() {
             if self.memories[index].hold == Hold::Active {

@@ -35,6 +35,8 @@ pub(crate) enum Action {
 pub(crate) struct Tick {
     pub(crate) actions: Vec<(Index, Action)>,
     pub(crate) clock: Clock,
+    /// Number of calls of functions of components before one panics.
+    pub(crate) panics: Option<u32>,
 }
 
 pub(crate) type Script = Vec<Tick>;
@@ -45,6 +47,8 @@ pub(crate) struct Stress {
     pub(crate) flags: u32,
     pub(crate) rates: u32,
     pub(crate) holds: u32,
+    /// Percentage of ticks in which a function of a component may panic.
+    pub(crate) panics: u32,
     /// Whether the clock jumps, also backwards.
     pub(crate) jumps: bool,
 }
@@ -54,7 +58,9 @@ pub(crate) fn scripts(stress: Stress) -> impl Strategy<Value = Script> {
     // Most ticks have no requests, so that a tree can become steady.
     let requests = prop::collection::vec((any::<Index>(), action(stress)), 1..4);
     let actions = prop_oneof![3 => Just(Vec::new()), 1 => requests];
-    let tick = (actions, clock(stress.jumps)).prop_map(|(actions, clock)| Tick { actions, clock });
+    let panics = prop_oneof![100 - stress.panics => Just(None), stress.panics => (0..20_u32).prop_map(Some)];
+    let tick = (actions, clock(stress.jumps), panics);
+    let tick = tick.prop_map(|(actions, clock, panics)| Tick { actions, clock, panics });
     prop::collection::vec(tick, 1..48)
 }
 

@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 
-use super::event::{Event, Read, Times, record};
+use super::event::{Event, Read, Times, called, record_call};
 
 /// Mixes a number into a value. The result depends on all numbers and their order.
 pub(crate) fn mix(into: u64, more: u64) -> u64 {
@@ -23,6 +23,12 @@ pub(crate) const BEGIN: &str = "begin";
 /// Result of a job.
 pub(crate) fn compute(value: u64) -> u64 {
     mix(value, 5)
+}
+
+/// Runs a job.
+pub(crate) fn job(value: u64) -> u64 {
+    called();
+    compute(value)
 }
 
 /// What a transition of a test component carries: its name, and the component's value.
@@ -52,11 +58,11 @@ impl Unit {
     }
 
     pub(crate) fn started(&mut self) {
-        record(Event::Started(self.name));
+        record_call(Event::Started(self.name));
     }
 
     pub(crate) fn stopped(&mut self) {
-        record(Event::Stopped(self.name));
+        record_call(Event::Stopped(self.name));
     }
 
     /// Runs once: computes a new value and writes it to other components.
@@ -71,7 +77,7 @@ impl Unit {
         self.received = 0;
         let time: Times = (time.now.as_ticks(), time.since_run.as_ticks(), time.in_state.as_ticks());
         let writes = self.write(writes);
-        record(Event::Body { of: self.name, state, time, reads: reads.into(), writes });
+        record_call(Event::Body { of: self.name, state, time, reads: reads.into(), writes });
     }
 
     /// Runs a hook of a state: changes its value, and writes to other components.
@@ -94,7 +100,7 @@ impl Unit {
     ) {
         self.value = mix(self.value, HOOK);
         let writes = self.write(writes);
-        record(Event::Hook { of: self.name, hook, found, reads: reads.into(), writes });
+        record_call(Event::Hook { of: self.name, hook, found, reads: reads.into(), writes });
     }
 
     /// Evaluates a transition that carries its name and the value of the component.
@@ -104,13 +110,13 @@ impl Unit {
 
     /// Evaluates a transition.
     pub(crate) fn evaluate<const R: usize>(&self, transition: &'static str, reads: [Read; R]) -> bool {
-        record(Event::Evaluated { by: self.name, transition, reads: reads.into() });
+        record_call(Event::Evaluated { by: self.name, transition, reads: reads.into() });
         self.flags & bit(transition) != 0
     }
 
     /// Takes the result of its job; returns what a new one computes from, if the flags want one.
     pub(crate) fn works(&mut self, result: Option<u64>, is_idle: bool) -> Option<u64> {
-        record(Event::Worked { of: self.name, result, is_idle });
+        record_call(Event::Worked { of: self.name, result, is_idle });
         self.value = result.map_or(self.value, |result| mix(self.value, result));
         (self.flags & bit(BEGIN) != 0).then_some(self.value)
     }
@@ -119,7 +125,7 @@ impl Unit {
     pub(crate) fn modulate<C: Component>(&mut self, of: &'static str, rate: &mut Rate<C>) {
         if let Some(hz) = self.requested_rate.take() {
             rate.set(hz);
-            record(Event::RateSet { of, hz: hz.to_bits() });
+            record_call(Event::RateSet { of, hz: hz.to_bits() });
         }
     }
 
@@ -133,13 +139,13 @@ impl Unit {
 }
 
 /// Records the result of a child.
-pub(crate) fn ended<C>(of: &'static str, outcome: &Outcome<C>) {
-    record(Event::Ended { of, end: outcome.end() });
+pub(crate) fn ended<C>(of: &'static str, outcome: Outcome<C>) {
+    record_call(Event::Ended { of, end: outcome.end() });
 }
 
 /// Records the age of a component.
 pub(crate) fn aged<C>(of: &'static str, age: &Age<C>) {
-    record(Event::Aged { of, since_run: age.since_run().map(|age| age.as_ticks()) });
+    record_call(Event::Aged { of, since_run: age.since_run().map(|age| age.as_ticks()) });
 }
 
 /// Test component with a name, attributes and functions. It records its hooks.

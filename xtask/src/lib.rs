@@ -24,6 +24,7 @@ mod room;
 mod ros;
 mod slow_tests;
 mod spelling;
+mod trees;
 mod viewers;
 
 use std::process::ExitCode;
@@ -55,6 +56,7 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Mujoco => mujoco::install(),
         Task::League => league::install(),
         Task::Fuzz(options) => fuzz::check(options.seconds),
+        Task::Trees(options) => trees::compare(options),
         Task::Python => python::check(&[]),
         Task::Ros => ros::check(true),
         Task::Peers(options) => peers::measure(options),

@@ -3,7 +3,7 @@
 use bica::prelude::*;
 
 use crate::semantics::test_tree::test_tree;
-use crate::semantics::unit::{compute, unit};
+use crate::semantics::unit::{job, unit};
 
 unit!(Chief() {
     #[state(initial)]
@@ -30,7 +30,7 @@ unit!(Chief() {
 unit!(Thinker(hz = 50) {
     #[work(takes_ms = 35)]
     fn think(value: u64, more: [u8; 3]) -> u64 {
-        compute(value).wrapping_add(more.len() as u64 - 3)
+        job(value).wrapping_add(more.len() as u64 - 3)
     }
 
     fn step(&mut self, time: &Time, work: &mut Work<Self>) {
@@ -45,7 +45,7 @@ unit!(Muser(resume) {
     #[work(takes_ms = 7, slices)]
     fn muse(state: &mut (u64, u8)) -> Option<u64> {
         state.1 += 1;
-        (state.1 == 3).then(|| compute(state.0))
+        (state.1 == 3).then(|| job(state.0))
     }
 
     #[state(initial)]

@@ -51,6 +51,12 @@ pub(crate) enum Task {
     ///
     /// First installs cargo-fuzz into target/.
     Fuzz(Fuzz),
+    /// Compare random trees with the second model of the semantics
+    ///
+    /// Writes trees with roles, results, found values, work, several writers, timers and rates as a crate in target/random-trees, and plays
+    /// random scripts on them with holds, rates, jumps of the clock and functions that panic. Prints the smallest script in which a tree
+    /// differs from the model.
+    Trees(Trees),
     /// Compare the speed of BICA with other frameworks and designs
     ///
     /// Measures BICA, copper-rs, statig, smlang and other designs on the same workloads, and fails if a claim about
@@ -176,6 +182,22 @@ pub(crate) struct Fuzz {
     /// Duration of each target, s
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) seconds: u32,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Trees {
+    /// Number of trees
+    #[arg(long = "trees", value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u64).range(1..=1000))]
+    pub(crate) count: u64,
+    /// Calls of functions of components, at least
+    #[arg(long, value_name = "N", default_value_t = 10_000_000)]
+    pub(crate) calls: u64,
+    /// Calls that panic, at least
+    #[arg(long, value_name = "N", default_value_t = 100_000)]
+    pub(crate) panics: u64,
+    /// Seed of the trees and the scripts
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
 }
 
 #[derive(Debug, Args)]
