@@ -67,6 +67,7 @@ mod hold;
 mod id;
 pub mod info;
 mod key;
+mod marked;
 pub mod modulation;
 mod outcome;
 pub mod params;

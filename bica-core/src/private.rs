@@ -8,6 +8,7 @@ pub use crate::component::{Component, Time};
 pub use crate::found::Found;
 pub use crate::graph::{Doc, End, Graph, InForce, Link, LinkKind, Node, Roles, State, Transition, When, WorkFunction};
 pub use crate::info::{Info, InfoSink};
+pub use crate::marked::{Marked, Of, Unfit};
 pub use crate::modulation::{Modulation, assert_arguments};
 pub use crate::params::Timer;
 pub use crate::params::{
@@ -35,7 +36,11 @@ pub use crate::visual::{Frame, Placement, Visual};
 pub use crate::work::{Jobs, Work, WorkCell, WorkOf, WorkSlot, Working};
 
 #[cfg(any(feature = "info", feature = "wire"))]
-pub use crate::info::{Element, Part};
+pub use crate::info::Element;
+#[cfg(any(feature = "info", feature = "wire"))]
+pub use crate::info::Part;
+#[cfg(any(feature = "info", feature = "wire"))]
+pub use crate::marked::Unmarked;
 #[cfg(any(feature = "info", feature = "wire"))]
 #[path = "long_array.rs"]
 pub mod long_array;
@@ -47,10 +52,6 @@ pub use {postcard_schema, serde};
 pub const fn doc(text: &'static str) -> &'static str {
     if cfg!(feature = "terse") { "" } else { text }
 }
-
-/// Accepts a type that can be a part of one with `#[data]`.
-#[cfg(any(feature = "info", feature = "wire"))]
-pub const fn part<V: Part>() {}
 
 /// Accepts a type that can be an element of a long array in one with `#[data]`.
 #[cfg(any(feature = "info", feature = "wire"))]

@@ -19,19 +19,20 @@ pub(crate) fn data(options: TokenStream, item: &TokenStream) -> TokenStream {
     }
     // Serde reads its path from a text.
     let serde = format!("{}::__private::serde", krate.to_token_stream()).replace(' ', "");
-    let marked = plain_item::data(item, &krate);
+    let item_for_serde = plain_item::data(item, &krate);
     let input = syn::parse2::<DeriveInput>(item.clone()).ok();
     let parts = input.as_ref().map(plain_item::parts).unwrap_or_default();
     let (bounds, asserted) = bounds(&parts, &krate).unzip();
+    let marked = input.as_ref().and_then(|input| mark(input, &krate));
     quote! {
         #krate::__private::data! {
             {
                 #[serde(crate = #serde)] #[postcard(crate = #krate::__private::postcard_schema)]
                 #bounds
             }
-            { #marked }
+            { #item_for_serde }
             { #item }
-            { #asserted }
+            { #asserted #marked }
         }
     }
 }
@@ -50,11 +51,31 @@ fn bounds(parts: &[Part], krate: &Path) -> Option<(TokenStream, TokenStream)> {
     let bounds = bounds.join(", ");
     let asserted = parts.iter().map(|part| {
         let (ty, krate) = (part.ty, placed(&krate.to_token_stream(), at(part.ty)));
-        let called = if part.in_long_array { quote!(element) } else { quote!(part) };
-        quote_spanned!(at(ty) => #krate::__private::#called::<#ty>();)
+        if part.in_long_array {
+            quote_spanned!(at(ty) => #krate::__private::element::<#ty>();)
+        } else {
+            quote_spanned!(at(ty) => <#krate::__private::Of<#ty>>::part();)
+        }
     });
     (!parts.is_empty()).then(|| {
-        (quote!(#[serde(bound = #bounds)] #[postcard(bound = #bounds)]), quote!(const _: () = { #(#asserted)* };))
+        let asserted = quote! {
+            const _: fn() = || {
+                use #krate::__private::Unmarked as _;
+                #(#asserted)*
+            };
+        };
+        (quote!(#[serde(bound = #bounds)] #[postcard(bound = #bounds)]), asserted)
+    })
+}
+
+/// That the type has `#[data]`. What one with parameters lacks depends on its use.
+fn mark(input: &DeriveInput, krate: &Path) -> Option<TokenStream> {
+    let (name, (parameters, arguments, bounds)) = (&input.ident, input.generics.split_for_impl());
+    input.generics.type_params().next().is_none().then(|| {
+        quote! {
+            #[automatically_derived]
+            impl #parameters #krate::__private::Marked for #name #arguments #bounds {}
+        }
     })
 }
 

@@ -3,7 +3,8 @@
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{
-    FnArg, GenericParam, ItemTrait, Path, ReceiverKind, ReturnType, Signature, TraitItem, TraitItemFn, parse_quote,
+    FnArg, GenericParam, ItemTrait, Path, ReceiverKind, ReturnType, Signature, TraitItem, TraitItemFn, TraitItemType,
+    parse_quote,
 };
 
 use crate::report::Report;
@@ -11,7 +12,7 @@ use crate::{plain_item, text, wording};
 
 /// A trait with `#[role]`.
 pub struct Role {
-    /// The trait. Methods with mistakes have the bound `Self: Sized`, so that the compiler does not refuse the type `dyn Trait`, too.
+    /// The trait. Methods and types with mistakes have the bound `Self: Sized`, so that the compiler does not refuse `dyn Trait`, too.
     pub item: ItemTrait,
     /// The crate that generated code uses.
     pub krate: Path,
@@ -32,9 +33,15 @@ pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> O
         report.add(std::mem::take(&mut item.supertraits), wording::ROLE_SUPERTRAIT);
         item.colon_token = None;
     }
+    let types: Vec<_> = item.items.iter().filter_map(associated).map(|one| text::name(&one.ident)).collect();
     item.items.retain_mut(|one| match one {
         TraitItem::Fn(method) => {
-            check(method, report);
+            check(method, &types, report);
+            true
+        }
+        TraitItem::Type(of) => {
+            report.add(&*of, wording::ROLE_ITEM);
+            of.generics.make_where_clause().predicates.push(parse_quote!(Self: ::core::marker::Sized));
             true
         }
         other => {
@@ -50,17 +57,21 @@ fn first_line(item: &TokenStream) -> TokenStream {
     item.clone().into_iter().take_while(|token| !matches!(token, TokenTree::Group(_))).collect()
 }
 
-/// Reports what a call without knowledge of the type cannot have.
-fn check(method: &mut TraitItemFn, report: &mut Report) {
+fn associated(item: &TraitItem) -> Option<&TraitItemType> {
+    if let TraitItem::Type(of) = item { Some(of) } else { None }
+}
+
+/// Reports what a call without knowledge of the type cannot have. `types` are those of the trait, which are reported.
+fn check(method: &mut TraitItemFn, types: &[String], report: &mut Report) {
     let mut own = Report::default();
-    signature(&method.sig, &mut own);
-    if !own.is_empty() {
+    signature(&method.sig, types, &mut own);
+    if !own.is_empty() || !types.is_empty() {
         method.sig.generics.make_where_clause().predicates.push(parse_quote!(Self: ::core::marker::Sized));
     }
     own.into_mistakes().for_each(|mistake| report.push(mistake));
 }
 
-fn signature(method: &Signature, report: &mut Report) {
+fn signature(method: &Signature, own: &[String], report: &mut Report) {
     if let Some(token) = &method.asyncness {
         report.add(token, wording::ROLE_ASYNC);
     }
@@ -90,7 +101,9 @@ fn signature(method: &Signature, report: &mut Report) {
         ReturnType::Type(_, kind) => Some(kind.to_token_stream()),
         ReturnType::Default => None,
     };
-    for kind in arguments.chain(result).filter(|kind| is_open(kind.clone())) {
+    let is_reported =
+        |kind: &TokenStream| own.iter().any(|name| text::written(kind).contains(&format!("Self::{name}")));
+    for kind in arguments.chain(result).filter(|kind| is_open(kind.clone()) && !is_reported(kind)) {
         report.add(kind, wording::ROLE_TYPE);
     }
 }

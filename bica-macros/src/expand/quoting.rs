@@ -1,6 +1,6 @@
 //! Small parts of generated code.
 
-use proc_macro2::{Span, TokenStream, TokenTree};
+use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::Path;
 use syn::spanned::Spanned;
@@ -40,4 +40,22 @@ pub(crate) fn placed(tokens: &TokenStream, span: Span) -> TokenStream {
         token
     };
     tokens.clone().into_iter().map(place).collect()
+}
+
+/// The tokens in their places, as if the macro had written them: the compiler then offers no change of the text, which a rule of the
+/// macro may refuse, and the same mistake in the user's code and in generated code is one message. A path with `$crate` stays as it is.
+pub(crate) fn settled(tokens: &TokenStream) -> TokenStream {
+    let settle = |token| match token {
+        TokenTree::Group(group) => {
+            let mut settled = Group::new(group.delimiter(), settled(&group.stream()));
+            settled.set_span(at(&group));
+            Some(settled.into())
+        }
+        TokenTree::Ident(name) if name == "$crate" => None,
+        mut token => {
+            token.set_span(at(&token));
+            Some(token)
+        }
+    };
+    tokens.clone().into_iter().map(settle).collect::<Option<_>>().unwrap_or_else(|| tokens.clone())
 }

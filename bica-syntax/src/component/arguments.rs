@@ -153,6 +153,12 @@ fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: 
 fn owned(path: &TypePath, form: Form, report: &mut Report) -> Option<Argument> {
     let written = text::written(path);
     let problem = match path.path.segments.last()?.ident.to_string().as_str() {
+        "Option"
+            if form == Form::Entry
+                && let Some(of) = path.path.segments.last().and_then(only_type) =>
+        {
+            wording::owned_entry(&text::written(of))
+        }
         _ if let Some(problem) = no_value(path) => problem,
         "Time" => wording::owned_time(&written),
         "Rate" => wording::owned_rate(&written),
@@ -353,8 +359,8 @@ fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) 
     }
 }
 
-/// Completes a `Rate`, `Age`, `Outcome`, `Tuned` or `Found` without a type, and replaces one without a size, which are reported, so that the
-/// compiler does not report it again.
+/// Completes a `Rate`, `Age`, `Outcome`, `Tuned` or `Found` without a type, and replaces one without a size or several, which are reported,
+/// so that the compiler does not report it again.
 pub(crate) fn complete_rates(signature: &mut Signature) {
     for input in &mut signature.inputs {
         let FnArg::Typed(input) = input else { continue };
@@ -366,6 +372,9 @@ pub(crate) fn complete_rates(signature: &mut Signature) {
         let Some(last) = path.path.segments.last_mut() else { continue };
         if let PathArguments::AngleBracketed(list) = &mut last.arguments {
             list.args.iter_mut().filter(|one| is_unsized(one)).for_each(|one| *one = parse_quote!(()));
+            if last.ident == "Found" {
+                list.args = list.args.iter().take(1).cloned().collect();
+            }
         }
         if ["Rate", "Age", "Outcome", "Tuned", "Found", "Work"].iter().any(|name| last.ident == name)
             && last.arguments.is_none()

@@ -3,6 +3,7 @@
 use proc_macro2::Ident;
 use syn::{FnArg, Type};
 
+use super::arguments::only_type_of;
 use super::found;
 use super::model::{Component, Found, Function, Hook, Machine, Transition};
 use crate::report::Report;
@@ -69,7 +70,8 @@ fn agreed(component: &Component, machine: &Machine, transition: &Transition, rep
 /// Whether a function has an argument that was meant to be what a transition found.
 fn is_tried(component: &Component, of: &Type) -> bool {
     let of = text::written(of);
-    let is_meant = |kind: &Type| found::is_found(kind) || text::written(kind) == of;
+    let is_meant =
+        |kind: &Type| found::is_found(kind) || text::written(only_type_of(kind, "Option").unwrap_or(kind)) == of;
     let mut functions = component.block.functions();
     functions
         .any(|one| one.signature.inputs.iter().any(|input| matches!(input, FnArg::Typed(one) if is_meant(&one.ty))))

@@ -1,6 +1,6 @@
 //! What a transition found, as an argument of an entry hook: `Found<T>`, or `Option<Found<T>>` in an initial state.
 
-use syn::{FnArg, PathSegment, Signature, Type};
+use syn::{FnArg, PathArguments, PathSegment, Signature, Type};
 
 use super::arguments::{Form, only_type, only_type_of};
 use super::model::Found;
@@ -43,7 +43,17 @@ pub(super) fn argument(kind: &Type, form: Form, report: &mut Report) -> Option<F
         report.add(segment, wording::FOUND_OF_WHAT);
         return None;
     };
+    if let Some(all) = several(segment) {
+        report.add(segment, wording::found_several(&all));
+        return None;
+    }
     value(of, report).then(|| Found { written: kind.clone(), of: plain(of).clone(), optional: inner.is_some() })
+}
+
+/// The types in angle brackets, if there are several.
+fn several(segment: &PathSegment) -> Option<String> {
+    let PathArguments::AngleBracketed(list) = &segment.arguments else { return None };
+    (list.args.len() > 1).then(|| text::written(&list.args))
 }
 
 /// Reports a type that no transition can carry; returns whether it is none of these.

@@ -281,6 +281,9 @@ fn work(component: &mut Component, function: &mut block::Function, attribute: &A
     }
     let read = work::read(function, attribute, report);
     component.incomplete |= read.is_none();
+    if read.is_none() {
+        work::without_borrowed(&mut function.signature);
+    }
     component.work = read;
 }
 
@@ -318,7 +321,7 @@ fn hook(component: &mut Component, function: &mut block::Function, attribute: &A
     let form = if role == "entry" { Form::Entry } else { Form::Step };
     let takes = found::is_taken(&function.signature);
     if role == "before" {
-        signature::writes(&function.signature, component.own(), report);
+        signature::writes(&mut function.signature, component.own(), report);
     }
     let function = called(component, function, form, report);
     component.incomplete |= takes && function.found().is_none();

@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
-use syn::{FnArg, GenericParam, Lifetime, Receiver, ReceiverKind, ReturnType, Safety, Signature, Type};
+use syn::{FnArg, GenericParam, Lifetime, Receiver, ReceiverKind, ReturnType, Safety, Signature, Type, parse_quote};
 
 use super::arguments::{self, Form};
 use super::found;
@@ -130,12 +130,14 @@ fn receiver(signature: &Signature, own: &Type, form: Form, report: &mut Report) 
     }
 }
 
-/// Reports a function before transitions that cannot keep for them what it finds.
-pub(super) fn writes(signature: &Signature, own: &Type, report: &mut Report) {
-    if let Some(FnArg::Receiver(receiver)) = signature.inputs.first()
+/// Reports a function before transitions that cannot keep for them what it finds, and mends it, so that the compiler does not refuse what
+/// it writes, too.
+pub(super) fn writes(signature: &mut Signature, own: &Type, report: &mut Report) {
+    if let Some(FnArg::Receiver(receiver)) = signature.inputs.first_mut()
         && taken(receiver, own) == Taken::Shared
     {
-        report.add(receiver, wording::BEFORE_READS);
+        report.add(&*receiver, wording::BEFORE_READS);
+        *receiver = parse_quote!(&mut self);
     }
 }
 

@@ -162,7 +162,17 @@ fn owned_form(kind: &Type) -> TokenStream {
             let of = &slice.elem;
             quote::quote!([#of; N])
         }
+        Type::Path(path) if path.path.is_ident("str") => quote::quote!(&'static str),
         other => other.to_token_stream(),
+    }
+}
+
+/// Gives a result that is borrowed, which is reported, a lifetime, so that the compiler does not ask for one, too.
+pub(super) fn without_borrowed(signature: &mut Signature) {
+    if let ReturnType::Type(_, kind) = &mut signature.output
+        && let Type::Reference(reference) = &mut **kind
+    {
+        reference.lifetime.get_or_insert_with(|| syn::parse_quote!('static));
     }
 }
 

@@ -332,6 +332,7 @@ pub(crate) const FOUND_TWICE: &str = "a state takes one value from a transition:
 messages! {
     found_reference(written) =
         "the components change before the state is entered, so a transition carries a value: write `{written}`";
+    found_several(all) = "a transition carries one value, and several in a tuple: write `Found<({all})>`";
     found_by_two(hook, state) =
         "entry hook `{hook}` already takes what was found for state `{state}`: take it in one of the two";
     found_initial(state, of) =

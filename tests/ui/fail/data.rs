@@ -27,4 +27,24 @@ enum Sight {
     Lost,
 }
 
+#[data]
+struct Outer {
+    sensors: Option<Sensors>,
+    sights: [Sight; 3],
+}
+
+struct Eye;
+#[component]
+impl Eye {
+    const fn new() -> Self { Self }
+
+    /// What lacks a field is reported once, wherever its type is used.
+    #[output]
+    fn outer(&self) -> Option<Outer> { None }
+}
+
+activation_tree! {
+    struct Robot { root: Eye, cycle_hz: 100, components: [Eye] }
+}
+
 fn main() {}

@@ -25,7 +25,10 @@ pub(super) fn expand(p: &TokenStream, function: &Function, tuning: &Tuning) -> T
                 let of = role::child(p, of);
                 Some(quote!(let #name = cycle.age::<#of>();))
             }
-            Argument::Outcome(of) => Some(quote!(let #name = cycle.outcome::<#of>();)),
+            Argument::Outcome(of) => {
+                let of = role::child(p, of);
+                Some(quote!(let #name = cycle.outcome::<#of>();))
+            }
             _ => None,
         }
     });

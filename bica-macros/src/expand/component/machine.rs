@@ -12,6 +12,7 @@ use syn::{Generics, Type};
 
 use super::call;
 use super::node;
+use super::role;
 use super::slots::Slots;
 use super::tuning::Tuning;
 use super::visits::Visits;
@@ -202,7 +203,7 @@ impl Parts<'_> {
     fn holds(&self, edge: &Edge) -> TokenStream {
         let p = self.p;
         let result = edge.guard.when.as_ref().map(|when| {
-            let (child, end) = (&when.child.0, node::end(when.end));
+            let (child, end) = (role::child(p, &when.child.0), node::end(when.end));
             quote!(cycle.has_ended::<#child>(#p::End::#end))
         });
         match (result, edge.guard.bare) {
@@ -237,7 +238,7 @@ impl Parts<'_> {
 
     /// The children whose results a state asks for begin anew.
     fn asked(&self, state: usize) -> Option<TokenStream> {
-        let children: Vec<_> = self.machine.asked_in(state).collect();
+        let children: Vec<_> = self.machine.asked_in(state).map(|child| role::child(self.p, child)).collect();
         (!children.is_empty()).then(|| quote!(#(cycle.ask_anew::<#children>();)*))
     }
 }

@@ -121,7 +121,8 @@ fn result(p: &TokenStream, when: &When) -> TokenStream {
 
 /// The index of a child, once it is known to be a machine that ends in that way.
 fn with_end(p: &TokenStream, child: &Type, end: &TokenStream) -> TokenStream {
-    let (place, name) = (at(child), text::written(child));
+    let (child, name) = (role::child(p, child), text::written(child));
+    let place = at(&child);
     let checked = placed(p, place);
     let check = quote_spanned!(place => #checked::assert_end::<__T, #child>(#end, #name));
     quote!({ #check; <__T as #p::Has<#child>>::INDEX })

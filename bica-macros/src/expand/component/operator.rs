@@ -76,7 +76,10 @@ fn read(p: &TokenStream, infos: &[Info]) -> TokenStream {
     let arms = infos.iter().enumerate().map(|(index, info)| {
         let (name, place) = (&info.name, at(&info.ty));
         let p = placed(p, place);
-        let take = quote_spanned!(place => #p::InfoSink::take(sink, &value));
+        let take = quote_spanned!(place => {
+            use #p::Unfit as _;
+            #p::Of(&value).give(sink)
+        });
         quote!(#index => { let value = this.#name(); #take; })
     });
     quote! {

@@ -6,14 +6,14 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::{Path, Type, WherePredicate, parse_quote_spanned};
 
-use crate::expand::quoting::{at, option, placed, runtime};
+use crate::expand::quoting::{at, option, placed, runtime, settled};
 use bica_syntax::component::model::{Argument, Component};
 use bica_syntax::component::role_of;
 use bica_syntax::text;
 
 /// The type of a child: as written, or the component that the tree `__T` names for its role.
 pub(super) fn child(p: &TokenStream, kind: &Type) -> TokenStream {
-    let Some(role) = role_of(kind) else { return kind.to_token_stream() };
+    let Some(role) = role_of(kind) else { return settled(&kind.to_token_stream()) };
     let p = placed(p, at(kind));
     quote_spanned!(at(kind) => <__T as #p::Fills<dyn #role>>::Provider)
 }
@@ -21,10 +21,11 @@ pub(super) fn child(p: &TokenStream, kind: &Type) -> TokenStream {
 /// That the tree `__T` holds a child, with the child's place in a signature for the compiler to point at.
 pub(super) fn holds(p: &TokenStream, kind: &Type) -> WherePredicate {
     let p = placed(p, at(kind));
-    match role_of(kind) {
-        Some(role) => parse_quote_spanned!(at(kind) => __T: #p::Fills<dyn #role, Provider: #role>),
-        None => parse_quote_spanned!(at(kind) => __T: #p::Has<#kind>),
+    if let Some(role) = role_of(kind) {
+        return parse_quote_spanned!(at(kind) => __T: #p::Fills<dyn #role, Provider: #role>);
     }
+    let kind = child(&p, kind);
+    parse_quote_spanned!(at(&kind) => __T: #p::Has<#kind>)
 }
 
 /// Index of the role of a child in the tree's list, if it is written by a role.

@@ -11,7 +11,7 @@ mod stub;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 
-use crate::expand::quoting::{at, placed};
+use crate::expand::quoting::{at, placed, settled};
 use bica_syntax::text;
 use bica_syntax::tree::model::{Entry, Tree};
 
@@ -33,9 +33,9 @@ pub(crate) fn expand(tree: &Tree, number: u64) -> TokenStream {
 /// nowhere once.
 fn names(tree: &Tree) -> TokenStream {
     let root = root(tree);
-    let (names, kinds) = (kinds(tree), tree.components.iter().map(|entry| &entry.kind));
+    let (names, kinds) = (kinds(tree), tree.components.iter().map(|entry| settled(&entry.kind.to_token_stream())));
     let unlisted = (!names.contains(&root)).then(|| {
-        let kind = &tree.root;
+        let kind = settled(&tree.root.to_token_stream());
         quote!(type #root = #kind;)
     });
     quote! {

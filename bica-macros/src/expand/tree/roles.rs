@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 
 use super::{kinds, runtime};
-use crate::expand::quoting::{at, placed};
+use crate::expand::quoting::{at, placed, settled};
 use bica_syntax::text;
 use bica_syntax::tree::model::{Entry, RoleEntry, Tree};
 
@@ -63,7 +63,7 @@ fn provider(tree: &Tree, entry: &RoleEntry) -> TokenStream {
     let listed = tree.components.iter().position(|listed| text::written(&listed.kind) == written);
     let listed =
         listed.map(|place| format_ident!("__Component{place}", span = at(&entry.provider)).into_token_stream());
-    listed.unwrap_or_else(|| entry.provider.to_token_stream())
+    listed.unwrap_or_else(|| settled(&entry.provider.to_token_stream()))
 }
 
 /// A constant function that fails unless the component provides the role. An inherent constant with a bound precedes one of a trait.
