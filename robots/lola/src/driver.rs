@@ -146,6 +146,7 @@ impl Driver {
         (self.map, self.heard) = (*map, Clock::now());
         self.heads.push(monotonic(), map);
         self.standing.maps += 1;
+        self.standing.identity = Some(map.identity);
         if self.standing.reason.is_none() {
             let is_late = self.options.limit.is_some_and(|limit| self.standing.seconds() >= limit);
             let is_stopped = (self.options.stop)();

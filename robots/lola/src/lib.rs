@@ -13,6 +13,7 @@ mod ending;
 mod guard;
 #[cfg(unix)]
 mod heads;
+mod identity;
 mod limiter;
 mod mistake;
 #[cfg(unix)]
@@ -34,6 +35,7 @@ pub use buffer::{Found, MapBuffer};
 pub use ending::{Reason, Watch};
 #[cfg(unix)]
 pub use guard::guard;
+pub use identity::Identity;
 pub use limiter::Limiter;
 pub use mistake::{Mistake, Undecoded};
 #[cfg(unix)]

@@ -10,6 +10,7 @@ use bica_motion::robot::{Buttons, Command};
 
 use crate::CYCLE_MICROS;
 use crate::ending::Reason;
+use crate::identity::Identity;
 
 /// Where the robot is, and how it is ended.
 pub struct Options {
@@ -36,6 +37,8 @@ pub struct Options {
 /// How a run stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Standing {
+    /// The robot of the last map.
+    pub identity: Option<Identity>,
     /// Number of valid maps.
     pub maps: u64,
     /// Number of times that bytes were dropped which are no valid map.
@@ -60,8 +63,9 @@ impl Standing {
 
 impl fmt::Display for Standing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { maps, rejected, opened, late, reason, .. } = self;
+        let Self { identity, maps, rejected, opened, late, reason, .. } = self;
         write!(f, "{maps} maps, {late} of them late, {rejected} not used; the socket was opened {opened} times")?;
-        reason.map_or(Ok(()), |reason| write!(f, "; {reason}"))
+        reason.map_or(Ok(()), |reason| write!(f, "; {reason}"))?;
+        identity.map_or(Ok(()), |identity| write!(f, "; {identity}"))
     }
 }

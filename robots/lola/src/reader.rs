@@ -70,14 +70,15 @@ impl<'a> Reader<'a> {
         Ok(values)
     }
 
-    /// Reads past an array of texts.
-    pub(crate) fn texts(&mut self, key: &'static str, count: usize) -> Read<()> {
-        self.array(key, count)?;
-        for _ in 0..count {
+    /// An array of texts.
+    pub(crate) fn texts<const N: usize>(&mut self, key: &'static str) -> Read<[&'a [u8]; N]> {
+        self.array(key, N)?;
+        let mut texts = [&[][..]; N];
+        for text in &mut texts {
             let length = decode::read_str_len(&mut self.0).map_err(or(Mistake::Type { key }))?;
-            self.take(length as usize)?;
+            *text = self.take(length as usize)?;
         }
-        Ok(())
+        Ok(texts)
     }
 
     fn array(&mut self, key: &'static str, expected: usize) -> Read<()> {

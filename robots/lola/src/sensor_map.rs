@@ -4,6 +4,7 @@ use bica_motion::joints::{JOINTS, Joints};
 use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
 use glam::Vec3;
 
+use crate::identity::Identity;
 use crate::mistake::{Mistake, Undecoded};
 use crate::reader::Reader;
 use crate::writer::Writer;
@@ -32,12 +33,11 @@ const KEYS: [&str; 13] = [
     "Status",
 ];
 
-/// Identity of the stand-in's robot: body, its version, head, its version. The lengths are those of a V6.
-const CONFIG: [&str; 4] = ["P0000000A00S00I00000", "6.0.0", "P0000000A00S00I00000", "6.0.0"];
-
 /// Measurements of one cycle, in LoLA's order and units. The order of the joints is that of [`Joint`](bica_motion::joints::Joint).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SensorMap {
+    /// Who the robot is.
+    pub identity: Identity,
     /// Negated specific force, m/s²: (0, 0, -9.81) in an upright robot.
     pub accelerometer: [f32; 3],
     /// Roll and pitch of the torso, rad.
@@ -105,8 +105,7 @@ impl SensorMap {
             "Temperature" => self.temperature = reader.floats(key)?,
             "Touch" => self.touch = reader.floats(key)?,
             "Status" => self.status = reader.small(key)?,
-            // Nobody needs who the robot is, and the texts would be copied every 12 ms.
-            _ => reader.texts(key, CONFIG.len())?,
+            _ => self.identity = Identity::new(reader.texts(key)?),
         }
         Ok(())
     }
@@ -115,7 +114,7 @@ impl SensorMap {
     #[must_use]
     pub fn encode(&self) -> Vec<u8> {
         let mut writer = Writer::new(KEYS.len() as u32);
-        writer.texts("RobotConfig", &CONFIG);
+        writer.texts("RobotConfig", &self.identity.texts());
         writer.floats("Accelerometer", &self.accelerometer);
         writer.floats("Angles", &self.angles);
         writer.floats("Battery", &self.battery);

@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use bica_lola::{ActuatorMap, Mistake, SENSOR_MAP_BYTES, SensorMap, Undecoded};
+use bica_lola::{ActuatorMap, Identity, Mistake, SENSOR_MAP_BYTES, SensorMap, Undecoded};
 use bica_motion::joints::Joints;
 use bica_motion::robot::{Light, Lights};
 use proptest::prelude::*;
@@ -17,10 +17,13 @@ prop_compose! {
         (fsr, gyroscope, position, sonar) in (array(), array(), array(), array()),
         (stiffness, temperature, touch) in (array(), array(), array()),
         status in prop::collection::vec(0_u8..4, 25),
+        (body, version) in ("P[0-9A-Z]{19}", "[0-9]\\.[0-9]\\.[0-9]"),
     ) -> SensorMap {
+        let identity = Identity::new([body.as_bytes(), b"6.0.0", b"P0000000A00S00I00000", version.as_bytes()]);
         let status = status.try_into().expect("25");
         SensorMap {
-            accelerometer, angles, battery, current, fsr, gyroscope, position, sonar, stiffness, temperature, touch, status,
+            identity, accelerometer, angles, battery, current, fsr, gyroscope, position, sonar, stiffness, temperature, touch,
+            status,
         }
     }
 }

@@ -119,6 +119,11 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
     if !info.fingerprint.is_empty() {
         console.print_row("fingerprint", &info.fingerprint)?;
     }
+    // Many worlds have no other result than the fingerprint.
+    let results = info.ending.iter().flat_map(|ending| ending.result.lines());
+    for result in results.filter(|result| !result.is_empty() && !result.starts_with("fingerprint")) {
+        console.print_row("result", result)?;
+    }
     for figure in info.ending.iter().flat_map(|ending| &ending.figures) {
         console.print_row("figure", &figure.to_string())?;
     }

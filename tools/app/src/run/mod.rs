@@ -90,12 +90,13 @@ where
     let figures = running.figures()?;
     let (seconds, cycles, schedule) = (running.elapsed().as_micros() as f64 * 1e-6, running.cycles, running.schedule());
     let (_, world, _, (story, (_, (_, recorder)))) = running.runner.into_parts();
-    if let Some((file, mut recorder)) = file.zip(recorder) {
-        recorder.set_figures(figures.clone());
-        console.print_row("recording", &file.describe(&recorder.finish(end.text())))?;
-    }
     let mut text = String::new();
     world.report(&mut text).map_err(|fmt::Error| Failure::new("the world cannot write its report", "correct it"))?;
+    if let Some((file, mut recorder)) = file.zip(recorder) {
+        recorder.set_figures(figures.clone());
+        let result = std::iter::once(end.text()).chain(text.lines()).collect::<Vec<_>>().join("; ");
+        console.print_row("recording", &file.describe(&recorder.finish(&result)))?;
+    }
     for jobs in story.iter().flat_map(Story::jobs) {
         console.print_row("work", &jobs)?;
     }

@@ -4,11 +4,12 @@ use std::io::{Read, Write};
 use std::os::unix::net::{UnixListener, UnixStream};
 use std::process::{Child, Command, Stdio};
 
-use bica_lola::{ActuatorMap, SITTING_HEIGHT, SensorMap, hip_height};
+use bica_lola::{ActuatorMap, Header, SITTING_HEIGHT, SensorMap, hip_height};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::NAO;
+use bica_motion::robot::CameraId;
 
-use crate::process::{Folder, player, refused};
+use crate::process::{Folder, player, refused, run};
 
 /// Sends a sensor map and moves the joints to the answered targets; returns the stiffness of a knee, or `None` at the
 /// end of the connection.
@@ -40,10 +41,15 @@ struct Standing {
 
 impl Standing {
     fn start() -> Self {
-        let folder = Folder::new("lola");
+        Self::start_in(Folder::new("lola"), &[])
+    }
+
+    /// Starts the program with further arguments; its socket is in the folder.
+    fn start_in(folder: Folder, args: &[&str]) -> Self {
         let socket = folder.file("robocup");
         let listener = UnixListener::bind(&socket).expect("a socket");
         let mut command = player(&["play", "--world", &format!("lola:{socket}")]);
+        command.args(args);
         let program = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the program");
         let (stream, _) = listener.accept().expect("it connects");
         let map = SensorMap {
@@ -97,6 +103,43 @@ fn killed_program_leaves_a_robot_that_sits() {
     let mut robot = Standing::start();
     robot.sits_after("-KILL");
     assert_eq!(robot.program.wait().expect("it ends").code(), None);
+}
+
+/// Noise, of which each image is another one: a camera that repeats an image counts as broken.
+fn image(camera: CameraId, number: u32) -> Vec<u8> {
+    let header = Header { camera, width: 320, height: 240, number };
+    let mut state = 2 * number + u32::from(camera == CameraId::Bottom) + 1;
+    let mut pixel = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 24) as u8
+    };
+    header.encode().into_iter().chain((0..header.pixel_bytes()).map(|_| pixel())).collect()
+}
+
+#[test]
+fn recording_of_a_robot_replays_bit_for_bit() {
+    let folder = Folder::new("lola-recording");
+    let (file, frames) = (folder.file("game.mcap"), folder.file("frames"));
+    let listener = UnixListener::bind(&frames).expect("a socket");
+    let mut robot = Standing::start_in(folder, &["--frames", &frames, "--record", &file]);
+    let (mut images, _) = listener.accept().expect("it connects");
+    for _ in 0..20 {
+        for camera in [CameraId::Top, CameraId::Bottom] {
+            images.write_all(&image(camera, robot.cycles)).expect("the program reads");
+        }
+        let stiff = [0; 3].map(|_| robot.cycle());
+        assert!(stiff.iter().all(Option::is_some), "each map is answered");
+    }
+    robot.sits_after("-TERM");
+    assert_eq!(robot.program.wait().expect("it ends").code(), Some(0));
+    let replayed = run(&["replay", &file, "--json"]);
+    assert_eq!(replayed.code, Some(0), "{}", replayed.stderr);
+    let replayed = replayed.json();
+    assert_eq!((&replayed["equal"], &replayed["source"]), (&true.into(), &"stored".into()));
+    let info = run(&["record", "info", &file]).stdout;
+    for words in ["world lola", "body P0000000A00S00I00000, version 6.0.0", "blobs                20 "] {
+        assert!(info.contains(words), "`{words}` is missing in:\n{info}");
+    }
 }
 
 #[test]
