@@ -14,7 +14,8 @@ use crate::install::{folder, packages};
 use crate::process::{run, works};
 use crate::python::SHORT;
 use crate::{
-    browser, build, deny, figures, firmware, league, miri, mujoco, no_std, peers, publish, python, room, ros,
+    browser, build, deny, figures, firmware, league, miri, mujoco, no_std, peers, publish, python, robot, room,
+    ros,
     slow_tests, spelling, viewers,
 };
 
@@ -38,6 +39,8 @@ pub(crate) enum Step {
     Viewers,
     /// The Python package with a cluster, a database and its notebook
     Python,
+    /// The program behind stand-ins for a NAO V6, and a Booster T1 and K1
+    Robot,
     /// Robots as ROS 2 nodes, with rclpy and with another DDS
     Ros,
     /// Tests of the framework in Miri, which detects undefined behaviour
@@ -68,6 +71,7 @@ impl Step {
             Self::Advisories => deny::fetch_advisories(),
             Self::Viewers => viewers::install().map(drop),
             Self::Python => python::install().map(drop),
+            Self::Robot => robot::install().map(drop),
             Self::Ros => ros::install().map(drop),
             Self::Miri => miri::install(),
             Self::Tests if !works("strace", &["--version"]) => packages(&["strace"]),
@@ -94,6 +98,7 @@ impl Step {
             Self::Games => games(),
             Self::Viewers => viewers::check(),
             Self::Python => python::check(&SHORT),
+            Self::Robot => robot::check(),
             Self::Ros => ros::check(false),
             Self::Miri => miri::check(),
             Self::Budget => budget(),
@@ -242,8 +247,8 @@ fn perform(steps: &[Step]) -> Result<(), String> {
 fn lanes(steps: &[Step]) -> (Vec<Step>, [Vec<Step>; 2]) {
     let (alone, rest): (Vec<_>, Vec<_>) = steps.iter().partition(|step| **step <= Step::Tests);
     let waits = |step: &Step| {
-        use Step::{Advisories, Browser, Deny, Publish, Python, Ros, Viewers};
-        matches!(step, Publish | Deny | Advisories | Viewers | Python | Ros | Browser)
+        use Step::{Advisories, Browser, Deny, Publish, Python, Robot, Ros, Viewers};
+        matches!(step, Publish | Deny | Advisories | Viewers | Python | Robot | Ros | Browser)
     };
     let (waiting, computing) = rest.into_iter().partition(waits);
     (alone, [waiting, computing])

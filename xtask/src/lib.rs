@@ -20,6 +20,7 @@ mod peers;
 mod process;
 mod publish;
 mod python;
+mod robot;
 mod room;
 mod ros;
 mod slow_tests;
@@ -58,6 +59,7 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Fuzz(options) => fuzz::check(options.seconds),
         Task::Trees(options) => trees::compare(options),
         Task::Python => python::check(&[]),
+        Task::Robot => robot::check(),
         Task::Ros => ros::check(true),
         Task::Peers(options) => peers::measure(options),
         Task::Figures(options) => figures::figures(options.check),

@@ -1,4 +1,4 @@
-//! Robots as ROS 2 nodes, seen by two other implementations of DDS: Fast DDS with rclpy, and Cyclone DDS; and the driver of a Booster.
+//! Robots as ROS 2 nodes, seen by two other implementations of DDS: Fast DDS with rclpy, and Cyclone DDS.
 
 use crate::build;
 use crate::install::{folder, python};
@@ -20,18 +20,6 @@ const FAST: [&str; 9] = [
 const CYCLONE: [&str; 4] = ["cyclonedds==11.0.*", "ros2-pyterfaces[cyclone]==0.3.*", "rosbags==0.11.*", "pytest"];
 /// Number of messages that are compared with the link's: in CI, and all.
 const MESSAGES: [&str; 2] = ["500", "10000"];
-
-/// Runs of the program with a Booster's stand-in: robot, domain of DDS, gait, duration and faults.
-const BOOSTERS: [(&str, &str, &str, &[&str]); 3] = [
-    (
-        "t1",
-        "61",
-        "own",
-        &["--seconds", "25", "--fault", "refuse@2", "--fault", "nan@3", "--fault", "deaf@5", "--fault", "leave@7"],
-    ),
-    ("k1", "62", "own", &["--seconds", "25", "--fault", "count@3", "--fault", "gap@4", "--fault", "silence@5"]),
-    ("k1", "63", "firmware", &["--seconds", "20", "--fault", "fall@4"]),
-];
 
 /// Installs the two environments; returns their interpreters.
 ///
@@ -65,19 +53,6 @@ pub(crate) fn check(all: bool) -> Result<(), String> {
     for (python, test) in [(&fast, "rclpy"), (&cyclone, "cyclone")] {
         let test = format!("tools/ros/tests/test_{test}.py");
         run(python, &["-m", "pytest", "--quiet", "-p", "no:cacheprovider", &test], &variables)?;
-    }
-    booster(&cyclone)
-}
-
-/// Compares the messages of a Booster with those of Cyclone DDS, and runs the program with the robots that stand in for a T1 and a K1.
-fn booster(cyclone: &str) -> Result<(), String> {
-    build::cargo("test", &["--test", "robot", "peer_"], &[("BICA_CYCLONE", cyclone)])?;
-    let program = build::program("player");
-    for (robot, domain, gait, arguments) in BOOSTERS {
-        let stand_in = ["robots/booster/stand_in.py", robot, "--domain", domain];
-        let player = ["--player", &program, "play", "--world", "booster", "--robot", robot, "--dds-domain", domain];
-        let options = ["--dds-interface", "127.0.0.1", "--gait", gait];
-        run(cyclone, &[&stand_in[..], arguments, &player, &options].concat(), &[])?;
     }
     Ok(())
 }

@@ -67,6 +67,11 @@ pub(crate) enum Task {
     /// First installs `PostgreSQL` (with apt), and the package with Ray and Optuna (with pip) into target/python/venv, which is an
     /// environment to work in.
     Python,
+    /// Run the program behind stand-ins for real robots
+    ///
+    /// A NAO V6 behind LoLA's socket and a Booster T1 and K1 behind their topics, with faults; each checks what it gets. First installs
+    /// Cyclone DDS and MuJoCo (with pip) into target/robot, an environment in which the stand-ins of `robots/` also run by hand.
+    Robot,
     /// Test robots as ROS 2 nodes with rclpy and with another DDS
     ///
     /// First installs both (with pip, no ROS is needed) into target/ros. Takes about seven minutes.
