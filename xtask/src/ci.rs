@@ -14,8 +14,7 @@ use crate::install::{folder, packages};
 use crate::process::{run, works};
 use crate::python::SHORT;
 use crate::{
-    browser, build, deny, figures, firmware, league, miri, mujoco, no_std, peers, publish, python, robot, room,
-    ros,
+    browser, build, deny, figures, firmware, league, miri, mujoco, no_std, peers, publish, python, robot, room, ros,
     slow_tests, spelling, viewers,
 };
 
