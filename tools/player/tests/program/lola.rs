@@ -4,7 +4,8 @@ use std::io::{Read, Write};
 use std::os::unix::net::{UnixListener, UnixStream};
 use std::process::{Child, Command, Stdio};
 
-use bica_lola::{ActuatorMap, Header, SITTING_HEIGHT, SensorMap, hip_height};
+use bica_lola::camera::Header;
+use bica_lola::{ActuatorMap, SITTING_HEIGHT, SensorMap, hip_height};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::NAO;
 use bica_motion::robot::CameraId;
