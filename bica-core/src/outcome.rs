@@ -43,14 +43,6 @@ impl<C> Outcome<C> {
     }
 }
 
-impl<C> Clone for Outcome<C> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<C> Copy for Outcome<C> {}
-
 impl<C> fmt::Debug for Outcome<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_tuple("Outcome").field(&self.end).finish()
