@@ -6,7 +6,7 @@ use bica::runner::harness::{Harness, InWorld};
 use bica_motion::model::simulation::NAO;
 use bica_motion::pose::{Pose2, wrap};
 use bica_player::perception::GoalDetector;
-use bica_player::referee::packet::{CONTROL_BYTES, Control, Penalty, PlayState, Team, Version};
+use bica_player::referee::packet::{Control, Penalty, PlayState, Team, Version};
 use bica_player::referee::{
     GameController, Identity, Inbox, Received, TeamCommand, TeamForward, TeamPlayer, TeamSensors,
 };
@@ -15,18 +15,14 @@ use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup, Start};
 use glam::Vec2;
 
+use super::sender::{SOURCE, Sender};
+
 const ME: Identity = Identity { team: 23, player: 2 };
-const SOURCE: [u8; 4] = [127, 0, 0, 1];
-/// Cycles between two packets: 2 Hz.
-const PERIOD: u64 = 50;
-/// Cycles between two datagrams of noise.
-const NOISE: u64 = 7;
 
 /// Kinematic world with a `GameController`, whose datagrams pass through the inbox of a player.
 struct Refereed {
     world: KinematicWorld,
-    control: Control,
-    cycle: u64,
+    sender: Sender,
     inbox: Inbox,
     packet: Option<Received>,
     /// Times of the status messages, ms.
@@ -36,43 +32,6 @@ struct Refereed {
 impl Refereed {
     fn now_ms(&self) -> u64 {
         SimulatedWorld::now(&self.world).as_millis() as u64
-    }
-
-    fn send(&mut self) {
-        let mut out = [0; CONTROL_BYTES];
-        self.cycle += 1;
-        self.packet = None;
-        if self.cycle > PERIOD && self.cycle.is_multiple_of(NOISE) {
-            self.noise(&mut out);
-        }
-        if self.cycle.is_multiple_of(PERIOD) {
-            self.control.number = self.control.number.wrapping_add(1);
-            self.control.teams.swap(0, 1);
-            let datagram = self.control.encode(&mut out).expect("all penalties have numbers");
-            let control = self.inbox.take(datagram).expect("a packet for the team");
-            self.packet = Some(Received { control, source: SOURCE, at_us: 1000 * self.now_ms() });
-        }
-    }
-
-    /// Sends datagrams that must be ignored: truncated packets, true states, and packets for other teams with another
-    /// state of the game.
-    fn noise(&mut self, out: &mut [u8; CONTROL_BYTES]) {
-        let state = if self.control.state == PlayState::Playing { PlayState::Finished } else { PlayState::Playing };
-        let foreign = [7, 8].map(|number| Team { number, ..Team::default() });
-        let control = Control { state, ..self.control };
-        assert_eq!(self.inbox.take(Control { teams: foreign, ..control }.encode(out).expect("no penalty")), None);
-        let datagram = control.encode(out).expect("all penalties have numbers").to_vec();
-        for noise in [&datagram[1..], &datagram[..157], &[&b"RGTD"[..], &datagram[4..]].concat()] {
-            assert_eq!(self.inbox.take(noise), None);
-        }
-        // A late packet, or one from another sender.
-        let (number, source) = if self.cycle.is_multiple_of(2) {
-            (self.control.number.wrapping_sub(3), SOURCE)
-        } else {
-            (self.control.number, [9; 4])
-        };
-        let control = Control { number, ..control };
-        self.packet = Some(Received { control, source, at_us: 1000 * self.now_ms() });
     }
 }
 
@@ -92,7 +51,8 @@ impl World<TeamForward> for Refereed {
             assert_eq!((answer.to, answer.status.team, answer.status.player), (SOURCE, ME.team, ME.player));
             self.answers.push(self.now_ms());
         }
-        self.send();
+        self.sender.advance();
+        self.packet = self.sender.receive(&mut self.inbox);
     }
 }
 
@@ -106,7 +66,8 @@ fn start(setup: &Setup, version: Version) -> Test {
     let teams = [5, 23].map(|number| Team { number, goalkeeper: 1, ..Team::default() });
     // The numbers of the packets wrap after some seconds.
     let control = Control { version, number: 240, teams, ..Control::default() };
-    let world = Refereed { world, control, cycle: 0, inbox: Inbox::new(ME.team), packet: None, answers: Vec::new() };
+    let sender = Sender::new(control, true);
+    let world = Refereed { world, sender, inbox: Inbox::new(ME.team), packet: None, answers: Vec::new() };
     Harness::of_box(robot).in_world(world)
 }
 
@@ -115,8 +76,7 @@ fn pose(test: &Test) -> Pose2 {
 }
 
 fn change(test: &mut Test, change: impl FnOnce(&mut Control)) {
-    let control = &mut test.world_mut().control;
-    change(control);
+    change(&mut test.world_mut().sender.control);
 }
 
 /// Checks that the robot reaches a state and stands from 2.5 s after that.
@@ -140,10 +100,6 @@ fn moves(test: &mut Test) {
         let now = pose(test);
         now.position.distance(before.position) > 0.1 || wrap(now.heading - before.heading).abs() > 0.5
     });
-}
-
-fn own(control: &mut Control) -> &mut Team {
-    control.teams.iter_mut().find(|team| team.number == ME.team).expect("the own team")
 }
 
 /// Starts the state ready, and checks that the robot walks to its place within 45 s; returns the place.
@@ -180,12 +136,12 @@ fn half(version: Version) {
     stands(&mut test, "stopped");
     change(&mut test, |control| control.stopped = false);
     moves(&mut test);
-    change(&mut test, |control| own(control).players[1].penalty = Penalty::IllegalPositioning);
+    test.world_mut().sender.team(ME.team).players[1].penalty = Penalty::IllegalPositioning;
     stands(&mut test, "penalized");
     let side_line = Pose2::new(-1.0, 1.9, -1.57);
     test.world_mut().world.put_robot(side_line).expect("a free place");
     test.run_for(Duration::from_secs(1));
-    change(&mut test, |control| own(control).players[1].penalty = Penalty::None);
+    test.world_mut().sender.team(ME.team).players[1].penalty = Penalty::None;
     test.reaches::<TeamPlayer>("playing", Duration::from_secs(12));
     moves(&mut test);
     ready(&mut test, 23);

@@ -68,7 +68,7 @@ impl TeamComm {
         sight: &impl Ball,
         ball: &TeamBall,
         mates: &TeamMates,
-        roles: &Roles,
+        roles: &mut Roles,
     ) {
         self.time_ms = time.now.as_millis() as u32;
         let players = (mates.count() + 1).max(game.players_on_field());
@@ -77,6 +77,7 @@ impl TeamComm {
         let is_urgent = is_double || roles.role() != self.role;
         self.role = roles.role();
         self.intention = intention(game.order(), roles, sight);
+        roles.set_heard(self.pacer.has_message());
         self.urgent = if is_urgent { tuned.urgent_time } else { (self.urgent - time.dt()).max(0.0) };
         let Some(pose) = field.pose() else { return };
         let message = TeamMessage {
@@ -91,7 +92,9 @@ impl TeamComm {
             time_to_ball: roles.time_to_ball(),
             interval: self.pacer.interval(),
         };
-        if self.pacer.is_due() || self.pacer.may_send() && (self.urgent > 0.0 || self.is_new(tuned, &message)) {
+        let has_other_part = self.last.is_none_or(|last| last.role != message.role);
+        let may_send = if has_other_part { self.pacer.may_send() } else { self.pacer.may_spare() };
+        if self.pacer.is_due() || may_send && (has_other_part || self.urgent > 0.0 || self.is_new(tuned, &message)) {
             self.send(message);
         }
     }
@@ -111,7 +114,7 @@ impl TeamComm {
             (Some(ball), Some(before)) => glam::Vec2::from(ball.at).distance(before.at.into()) > tuned.ball_distance,
             (ball, before) => ball.is_some() != before.is_some(),
         };
-        has_moved || ball_moved || message.role != last.role || message.intention != last.intention
+        has_moved || ball_moved || message.intention != last.intention
     }
 
     /// Takes the message of this cycle, if there is one.

@@ -81,12 +81,13 @@ impl Election {
     }
 
     /// Decides again, `seconds` after the last decision. `me` has number and time of this player, or is `None` if it cannot be the
-    /// striker; `mates` are the other players that can.
+    /// striker; it takes over from a striker only if the others hear of it. `mates` are the other players that can be the striker.
     pub(super) fn decide(
         &mut self,
         tuned: &Claiming,
         seconds: f32,
         me: Option<(u8, Option<f32>)>,
+        is_heard: bool,
         mates: impl Iterator<Item = Candidate> + Clone,
     ) {
         let known = mates.clone().fold(self.claim, |known, mate| known.max(mate.claim));
@@ -102,7 +103,7 @@ impl Election {
             }
         }
         self.claim = known;
-        if self.claims(tuned, seconds, &me, mates) {
+        if self.claims(tuned, seconds, &me, is_heard, mates) {
             *self = Self { is_striker: true, claim: known.saturating_add(1), ..Self::new() };
         }
     }
@@ -113,6 +114,7 @@ impl Election {
         tuned: &Claiming,
         seconds: f32,
         me: &Candidate,
+        is_heard: bool,
         mates: impl Iterator<Item = Candidate> + Clone,
     ) -> bool {
         if mates.clone().next().is_none() {
@@ -129,7 +131,7 @@ impl Election {
         let limit = striker.time.unwrap_or(f32::INFINITY);
         let leads = nearer < 1.0 && me.time.is_some_and(|time| time + tuned.lead < limit);
         (self.vacant, self.led) = (0.0, if leads { self.led + seconds } else { 0.0 });
-        leads && self.led >= tuned.patience
+        leads && is_heard && self.led >= tuned.patience
     }
 }
 
@@ -146,7 +148,7 @@ mod tests {
     /// Time after which a player claims, ms; `None` if it does not within 10 s.
     fn claims_after(election: &mut Election, me: (u8, Option<f32>), mates: &[Candidate]) -> Option<u32> {
         (0..1000).find_map(|cycle| {
-            election.decide(&Claiming::DEFAULT, CYCLE, Some(me), mates.iter().copied());
+            election.decide(&Claiming::DEFAULT, CYCLE, Some(me), true, mates.iter().copied());
             election.is_striker().then_some(10 * cycle)
         })
     }
@@ -178,13 +180,18 @@ mod tests {
         assert_eq!(claims_after(&mut Election::new(), (2, Some(2.5)), &[striker, nearer]), None);
         let blind = Candidate { time: None, ..striker };
         assert!(claims_after(&mut Election::new(), (2, Some(30.0)), &[blind]).is_some());
+        let mut unheard = Election::new();
+        for _ in 0..1000 {
+            unheard.decide(&Claiming::DEFAULT, CYCLE, Some((2, Some(1.0))), false, [blind].into_iter());
+        }
+        assert!(!unheard.is_striker(), "the striker would not yield");
     }
 
     #[test]
     fn striker_yields_to_newer_claims_only() {
         let yields = |other: Candidate| {
             let mut election = Election { is_striker: true, claim: 7, ..Election::new() };
-            election.decide(&Claiming::DEFAULT, CYCLE, Some((2, Some(9.0))), [other].into_iter());
+            election.decide(&Claiming::DEFAULT, CYCLE, Some((2, Some(9.0))), true, [other].into_iter());
             !election.is_striker()
         };
         assert!(yields(mate(3, 20.0, true, 8)));
@@ -195,7 +202,7 @@ mod tests {
     #[test]
     fn player_that_cannot_play_is_no_striker() {
         let mut election = Election { is_striker: true, claim: 7, ..Election::new() };
-        election.decide(&Claiming::DEFAULT, CYCLE, None, [mate(3, 1.0, false, 9)].into_iter());
+        election.decide(&Claiming::DEFAULT, CYCLE, None, true, [mate(3, 1.0, false, 9)].into_iter());
         assert_eq!((election.is_striker(), election.claim()), (false, 9));
     }
 }

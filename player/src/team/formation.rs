@@ -26,7 +26,7 @@ pub struct Formation {
     /// Distance of the goalkeeper from the middle of its goal, on the line to the ball.
     #[param(default = 0.4, range = 0.1..=1.5, unit = "m", step = 0.1)]
     pub keeper_distance: f32,
-    /// Least distance of all positions from the lines of the field.
+    /// Least distance of all positions from the lines of the field, and of those of field players from the own goal area.
     #[param(default = 0.3, range = 0.0..=1.0, unit = "m", step = 0.1)]
     pub margin: f32,
     /// Distance of the ball from the middle of the field, across it, up to which the supporter stays on its side of the ball.
@@ -54,7 +54,10 @@ impl Formation {
             }
         };
         let most = (FIELD.field_corner() - self.margin).max(Vec2::ZERO);
-        let position = position.clamp(-most, most);
+        let mut position = position.clamp(-most, most);
+        if role != Role::Goalkeeper {
+            position.x = position.x.max(self.margin - FIELD.penalty_area_corner().x);
+        }
         Pose2 { position, heading: (ball - position).normalize_or(Vec2::X).to_angle() }
     }
 }
@@ -87,6 +90,16 @@ mod tests {
             let line = (ball - goal).normalize();
             assert!(keeper.perp_dot(line).abs() < 0.05 && defender.perp_dot(line).abs() < 0.05, "{ball}");
             assert!(defender.length() > keeper.length() + 0.5, "{ball}");
+        }
+    }
+
+    #[test]
+    fn own_goal_area_belongs_to_the_goalkeeper() {
+        for y in [-1.5, 0.0, 1.5] {
+            for role in [Role::Supporter, Role::Defender] {
+                let at = place(role, Vec2::ZERO, Vec2::new(-2.5, y));
+                assert!(at.x > 0.2 - FIELD.penalty_area_corner().x, "{role:?} at {at}");
+            }
         }
     }
 

@@ -15,7 +15,7 @@ pub struct Silence {
     #[param(default = 4.0, range = 1.0..=20.0, step = 0.5)]
     pub lost_messages: f32,
     /// Longest silence of a player that is present.
-    #[param(default = 60.0, range = 1.0..=600.0, unit = "s", step = 1.0)]
+    #[param(default = 300.0, range = 1.0..=600.0, unit = "s", step = 1.0)]
     pub longest: f32,
 }
 

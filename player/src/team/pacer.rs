@@ -13,6 +13,8 @@ const LEAST_INTERVAL: f32 = 0.1;
 const USUAL_INTERVAL: f32 = 0.5;
 /// Share of the budget for messages without something new.
 const USUAL_SHARE: f32 = 0.5;
+/// Number of messages that a player has saved at the start, if its share is as large.
+const FIRST_CREDIT: f32 = 2.0;
 /// Largest number of messages that a player saves for later.
 const MOST_CREDIT: f32 = 20.0;
 /// Duration of a half, s.
@@ -36,21 +38,29 @@ pub(super) struct Pacer {
     waited: f32,
     /// Messages a second that the budget allows.
     rate: f32,
-    may_send: bool,
+    /// Whether the budget allows a message.
+    has_message: bool,
 }
 
 impl Pacer {
     /// Creates the pacer without a budget.
     #[must_use]
     pub(super) const fn new() -> Self {
-        Self { packet: None, since_packet: 0, credit: 0.0, waited: LEAST_INTERVAL, rate: 0.0, may_send: false }
+        Self {
+            packet: None,
+            since_packet: 0,
+            credit: FIRST_CREDIT,
+            waited: LEAST_INTERVAL,
+            rate: 0.0,
+            has_message: false,
+        }
     }
 
     /// Takes what the `GameController` shows, `seconds` after the last call; `players` is the number of players of the team that send.
     pub(super) fn advance(&mut self, seconds: f32, control: Option<&Control>, budget: u32, players: u32) {
         self.waited = fminf(self.waited + seconds, TeamMessage::LONG);
         let Some(control) = control.filter(|control| counts(control)) else {
-            (self.may_send, self.rate) = (false, 0.0);
+            (self.has_message, self.rate) = (false, 0.0);
             return;
         };
         if self.packet != Some(control.number) {
@@ -63,19 +73,31 @@ impl Pacer {
         let saved = self.credit + self.rate * seconds;
         self.credit = fminf(saved, fminf(MOST_CREDIT, share));
         // A message more must leave the reserve of all.
-        self.may_send = left >= players && self.credit >= 1.0 && self.waited >= LEAST_INTERVAL;
+        self.has_message = left >= players && self.credit >= 1.0;
     }
 
-    /// Whether a message may be sent now.
+    /// Whether there is a message for a change of the own part.
     #[must_use]
-    pub(super) const fn may_send(&self) -> bool {
-        self.may_send
+    pub(super) const fn has_message(&self) -> bool {
+        self.has_message
+    }
+
+    /// Whether a message about a change of the own part may be sent now.
+    #[must_use]
+    pub(super) fn may_send(&self) -> bool {
+        self.has_message && self.waited >= LEAST_INTERVAL
+    }
+
+    /// Whether another message may be sent now: the last one that is saved is for a change of the own part.
+    #[must_use]
+    pub(super) fn may_spare(&self) -> bool {
+        self.may_send() && self.credit >= 2.0
     }
 
     /// Whether a message without something new is due, and may be sent.
     #[must_use]
     pub(super) fn is_due(&self) -> bool {
-        self.may_send && self.waited >= self.interval()
+        self.may_spare() && self.waited >= self.interval()
     }
 
     /// Longest time between two messages, s.
@@ -88,7 +110,7 @@ impl Pacer {
     /// Counts a message that is sent.
     pub(super) const fn count(&mut self) {
         self.since_packet = self.since_packet.saturating_add(1);
-        (self.credit, self.waited, self.may_send) = (self.credit - 1.0, 0.0, false);
+        (self.credit, self.waited, self.has_message) = (self.credit - 1.0, 0.0, false);
     }
 }
 
@@ -166,6 +188,19 @@ mod tests {
         let after = times.iter().filter(|time| **time > 60.0);
         let rate = after.count() as f32 / 540.0;
         assert!((1.8..=2.0).contains(&rate), "{rate} a second");
+    }
+
+    #[test]
+    fn last_message_is_kept_for_another_part() {
+        let mut pacer = Pacer::new();
+        let control = Control { state: PlayState::Playing, seconds_remaining: 600, ..Control::default() };
+        let mut may = || {
+            pacer.advance(1.0, Some(&control), 20, 3);
+            let may = (pacer.may_spare(), pacer.may_send());
+            pacer.count();
+            may
+        };
+        assert_eq!([may(), may(), may()], [(true, true), (false, true), (false, false)]);
     }
 
     #[test]

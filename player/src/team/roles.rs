@@ -54,6 +54,8 @@ pub struct Roles {
     role: Role,
     election: Election,
     time_to_ball: Option<f32>,
+    /// Whether the budget allows a message about another part.
+    is_heard: bool,
     /// Whether the goalkeeper plays a ball near its goal.
     is_clearing: bool,
 }
@@ -63,7 +65,7 @@ impl Roles {
     /// Creates the component outside the game.
     #[must_use]
     pub const fn new() -> Self {
-        Self { role: Role::Absent, election: Election::new(), time_to_ball: None, is_clearing: false }
+        Self { role: Role::Absent, election: Election::new(), time_to_ball: None, is_heard: true, is_clearing: false }
     }
 
     fn step(
@@ -84,7 +86,7 @@ impl Roles {
         // A robot without a pose cannot send that it is the striker.
         let may_strike = is_fit && !game.is_goalkeeper() && (pose.is_some() || mates.strikers() == 0);
         let me = may_strike.then_some((game.me().player, self.time_to_ball));
-        self.election.decide(claiming, time.dt(), me, mates.present().filter_map(candidate));
+        self.election.decide(claiming, time.dt(), me, self.is_heard, mates.present().filter_map(candidate));
         self.role = if !is_fit {
             Role::Absent
         } else if game.is_goalkeeper() {
@@ -116,6 +118,11 @@ impl Roles {
         let goal = Vec2::new(-FIELD.field_corner().x, 0.0);
         let slack = if self.is_clearing { reach.clearing_slack } else { 0.0 };
         self.role == Role::Goalkeeper && ball.distance(goal) < reach.clearing_distance + slack
+    }
+
+    /// Sets whether the others would hear of another part.
+    pub const fn set_heard(&mut self, is_heard: bool) {
+        self.is_heard = is_heard;
     }
 
     /// The own part.

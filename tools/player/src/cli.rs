@@ -246,6 +246,9 @@ pub(crate) struct RefereeArgs {
     /// With --teams and --games, the second team stands before its goal
     #[arg(long, requires = "teams")]
     pub(crate) idle: bool,
+    /// With --teams and --games, number of messages that each team may send
+    #[arg(long, value_name = "N", requires_all = ["teams", "games"])]
+    pub(crate) budget: Option<u16>,
     /// With --teams, Unix socket to which the world writes the true state, 20 lines of JSON a second
     #[arg(long, value_name = "PATH", requires = "teams")]
     pub(crate) truth: Option<PathBuf>,

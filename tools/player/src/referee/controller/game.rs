@@ -167,6 +167,11 @@ impl Game {
         })
     }
 
+    /// Sets the number of messages that each team may still send.
+    pub(in crate::referee) fn set_budget(&mut self, messages: u16) {
+        self.control.teams.iter_mut().for_each(|team| team.message_budget = messages);
+    }
+
     /// Counts a message of a team, which was sent now, against its budget.
     pub(in crate::referee) fn count_message(&mut self, team: u8) {
         let is_game = matches!(self.control.state, PlayState::Ready | PlayState::Set | PlayState::Playing);

@@ -29,6 +29,9 @@ struct TeamFigures {
     longest_other_s: f64,
     falls_per_robot_minute: f64,
     collisions_per_robot_minute: f64,
+    /// Those of them that were far from the ball.
+    collisions_away_per_robot_minute: f64,
+    messages_per_half: f64,
 }
 
 impl Figures {
@@ -49,6 +52,8 @@ impl Figures {
             longest_other_s: all.longest_other[index] as f64 * 0.01,
             falls_per_robot_minute: all.per_robot_minute(all.falls[index]),
             collisions_per_robot_minute: all.per_robot_minute(all.collisions[index]),
+            collisions_away_per_robot_minute: all.per_robot_minute(all.collisions_away[index]),
+            messages_per_half: mean(all.messages[index]),
         };
         let playing = if args.referee.idle { 1 } else { 2 };
         let teams = (0..playing).map(figures).collect();
@@ -77,6 +82,8 @@ impl TeamFigures {
         let text = format!("{share:.1} % of the time exactly one, at most {longest:.2} s without");
         console.print_row("striker", &text)?;
         console.print_row("falls", &format!("{:.3} per robot-minute", self.falls_per_robot_minute))?;
-        console.print_row("collisions", &format!("{:.2} per robot-minute", self.collisions_per_robot_minute))
+        let (all, away) = (self.collisions_per_robot_minute, self.collisions_away_per_robot_minute);
+        console.print_row("collisions", &format!("{all:.2} per robot-minute, {away:.2} far from the ball"))?;
+        console.print_row("messages", &format!("{:.0} a half", self.messages_per_half))
     }
 }

@@ -55,6 +55,9 @@ impl Half {
         if let Some(seconds) = args.seconds {
             order(&mut game, Command::Clock(seconds as i16))?;
         }
+        if let Some(messages) = args.referee.budget {
+            game.set_budget(messages);
+        }
         order(&mut game, Command::State(PlayState::Ready, Some(first)))?;
         let tally = Tally::new(usize::from(players), field.robots());
         Ok(Self {
@@ -152,6 +155,7 @@ impl Half {
         let sent: Vec<_> = self.teams.players.iter_mut().filter_map(|player| player.network.take()).collect();
         for message in sent {
             self.game.count_message(message.from.team);
+            self.tally.messages[usize::from(message.from.team != self.numbers[0])] += 1;
             self.teams.players.iter_mut().for_each(|player| player.network.hear(&message, at_us));
         }
     }

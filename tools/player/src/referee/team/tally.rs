@@ -3,12 +3,14 @@
 use bica::Tree;
 use bica_player::team::{Role, Roles};
 use bica_sim::kinematic::MatchField;
-use bica_sim::referee::Event;
+use bica_sim::referee::{Event, Referee};
 use serde::Serialize;
 
 use super::radio::Radio;
 use super::teams::Teams;
 
+/// Distance of a robot from the ball within which another one may be there for the same ball, m.
+const AT_BALL: f32 = 0.8;
 /// Cycles of a minute.
 const MINUTE: f64 = 6000.0;
 
@@ -26,6 +28,10 @@ pub(super) struct Tally {
     pub(super) kicks: [u32; 2],
     pub(super) falls: [u32; 2],
     pub(super) collisions: [u32; 2],
+    /// Those of them that were far from the ball.
+    pub(super) collisions_away: [u32; 2],
+    /// Messages, those of the states ready and set included.
+    pub(super) messages: [u32; 2],
     pub(super) penalties: [u32; 2],
     /// Cycles with exactly one striker.
     pub(super) one_striker: [u64; 2],
@@ -54,6 +60,8 @@ impl Tally {
             let team = robot / self.players;
             for timed in &teams.field.truth(robot).events()[self.read[robot]..] {
                 self.event(team, robot == 0, &timed.event);
+                let is_away = matches!(timed.event, Event::Collision) && is_away(teams.field.truth(robot));
+                self.collisions_away[team] += u32::from(is_away);
             }
         }
         for (team, players) in teams.players.chunks(self.players).enumerate() {
@@ -100,6 +108,8 @@ impl Tally {
             self.kicks[team] += other.kicks[team];
             self.falls[team] += other.falls[team];
             self.collisions[team] += other.collisions[team];
+            self.collisions_away[team] += other.collisions_away[team];
+            self.messages[team] += other.messages[team];
             self.penalties[team] += other.penalties[team];
             self.one_striker[team] += other.one_striker[team];
             self.longest_other[team] = self.longest_other[team].max(other.longest_other[team]);
@@ -116,6 +126,11 @@ impl Tally {
         let minutes = self.cycles as f64 / MINUTE * self.players as f64;
         f64::from(count) / minutes.max(f64::MIN_POSITIVE)
     }
+}
+
+/// Whether a robot is farther from the ball than one that plays it.
+fn is_away(truth: &Referee) -> bool {
+    truth.robot().position.distance(truth.ball()) > AT_BALL
 }
 
 fn role(player: &super::player::Player<Radio>) -> Role {
