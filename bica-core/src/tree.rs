@@ -21,6 +21,7 @@ pub(crate) mod cycle;
 pub(crate) mod cycle_state;
 pub(crate) mod deferred;
 pub(crate) mod engine;
+pub(crate) mod going;
 mod handle;
 mod layout;
 mod lone_machine;

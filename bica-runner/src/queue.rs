@@ -22,6 +22,7 @@ impl From<Request<'_>> for OwnedRequest {
                 Self::Modulate { component, modulation, arguments: arguments.to_vec() }
             }
             Request::World { action, arguments } => Self::World { action, arguments: arguments.to_vec() },
+            Request::Go { component, state } => Self::Go { component, state },
         }
     }
 }

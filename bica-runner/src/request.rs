@@ -45,6 +45,13 @@ pub enum Change<S, V> {
         /// One value for each argument.
         arguments: V,
     },
+    /// Makes a state machine go to a state in the next cycle.
+    Go {
+        /// Component.
+        component: ComponentId,
+        /// Index in [`Node::states`](bica_core::graph::Node::states).
+        state: u16,
+    },
 }
 
 impl<S, V> Change<S, V> {
@@ -70,6 +77,7 @@ impl<S: AsRef<[Setting]>, V: AsRef<[Value]>> Change<S, V> {
                 Change::Modulate { component, modulation, arguments: arguments.as_ref() }
             }
             &Self::World { action, ref arguments } => Change::World { action, arguments: arguments.as_ref() },
+            &Self::Go { component, state } => Change::Go { component, state },
         }
     }
 }
@@ -86,6 +94,7 @@ impl<'a> Request<'a> {
                 Change::Modulate { component, modulation, arguments: arguments.try_into().ok()? }
             }
             Self::World { action, arguments } => Change::World { action, arguments: arguments.try_into().ok()? },
+            Self::Go { component, state } => Change::Go { component, state },
         })
     }
 
@@ -113,8 +122,8 @@ impl<'a> Request<'a> {
     /// Applies the request to a tree, or to its world.
     ///
     /// # Errors
-    /// If the tree has no such component, parameter or modulation, the world no such action, or a value or a rate is not accepted; then
-    /// nothing changes.
+    /// If the tree has no such component, parameter, modulation or state, the world no such action, or a value, a rate or a way to a state is
+    /// not accepted; then nothing changes.
     pub fn apply_in<T: Tree>(self, tree: &mut T, world: Option<&mut dyn Actions>) -> Result<(), Refusal> {
         match self {
             Self::Hold { component, hold } => tree.at_mut(component).map(|mut component| component.hold(hold)),
@@ -127,6 +136,7 @@ impl<'a> Request<'a> {
                 tree.modulate(component, usize::from(modulation), arguments)
             }
             Self::World { action, arguments } => action::perform(world, usize::from(action), arguments),
+            Self::Go { component, state } => tree.at_mut(component)?.go(usize::from(state)),
         }
     }
 }

@@ -22,7 +22,7 @@ pub fn effective<T: Tree>(tree: &T, change: &Change) -> Vec<Value, MAX_BATCH> {
             let hz = tree.status(*component).and_then(|status| status.hz);
             hz.into_iter().map(Value::F32).collect()
         }
-        Change::Hold { .. } | Change::Modulate { .. } | Change::World { .. } => Vec::new(),
+        Change::Hold { .. } | Change::Modulate { .. } | Change::World { .. } | Change::Go { .. } => Vec::new(),
     }
 }
 

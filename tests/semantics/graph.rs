@@ -52,6 +52,8 @@ pub(crate) struct Model {
     pub(crate) memories: Vec<Memory>,
     pub(crate) components: Vec<Data>,
     pub(super) activators_first: Vec<usize>,
+    /// Machine that goes to a state in the next cycle, and that state.
+    pub(super) going: Option<(usize, usize)>,
     pub(super) now: u64,
     /// Whether jobs have ended in this cycle, and visits begun.
     pub(super) visits: bool,
@@ -70,6 +72,7 @@ impl Model {
             memories: vec![Memory::default(); graph.nodes.len()],
             components: graph.nodes.iter().map(|node| Data { hz: node.hz, ..Data::default() }).collect(),
             activators_first: activators_first(&graph),
+            going: None,
             now: 0,
             visits: false,
             events: Vec::new().into_iter(),
@@ -334,6 +337,14 @@ impl Model {
         self.hooks(of, state, false)?;
         self.expect(&Event::End(of))?;
         Ok(Some(transition.to))
+    }
+
+    /// Leaves the state of a machine that goes to another one by request.
+    pub(super) fn leave(&mut self, of: usize) -> Comparison {
+        self.expect(&Event::Begin(of))?;
+        self.hooks(of, self.memories[of].state.unwrap_or_default(), false)?;
+        self.components[of].taken = 0;
+        self.expect(&Event::End(of))
     }
 
     /// Runs the step of a component, or of its state; `moved` is true if it has just entered the state.

@@ -1,7 +1,7 @@
 //! Semantics of activation trees: in random scripts, the events of trees that are written with the macros are compared
 //! with those of a model.
 //!
-//! [`rules`] is the model. Scripts tick the tree, set flags that transitions read, change rates and hold components; components
+//! [`rules`] is the model. Scripts tick the tree, set flags that transitions read, change rates, hold components and make machines go to states; components
 //! record their calls, times and values.
 
 mod event;
@@ -72,25 +72,25 @@ macro_rules! on_trees {
 on_trees!(
     /// Transitions at a steady clock, with a few changed rates.
     transitions,
-    Stress { flags: 10, rates: 1, ..Stress::default() }
+    Stress { flags: 10, rates: 1, ways: 2, ..Stress::default() }
 );
 
 on_trees!(
     /// Rates that components set for their children, and that are set from outside.
     rates,
-    Stress { flags: 4, rates: 4, ..Stress::default() }
+    Stress { flags: 4, rates: 4, ways: 1, ..Stress::default() }
 );
 
 on_trees!(
     /// Components held active and latent.
     holds,
-    Stress { flags: 4, rates: 1, holds: 8, ..Stress::default() }
+    Stress { flags: 4, rates: 1, holds: 8, ways: 4, ..Stress::default() }
 );
 
 on_trees!(
     /// All of these, with a clock that jumps and goes back.
     jumps,
-    Stress { flags: 6, rates: 6, holds: 4, jumps: true, ..Stress::default() }
+    Stress { flags: 6, rates: 6, holds: 4, ways: 4, jumps: true, ..Stress::default() }
 );
 
 on_trees!(

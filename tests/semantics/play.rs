@@ -55,6 +55,11 @@ fn perform<T: TestTree>(tree: &mut T, model: &mut Model, index: usize, action: A
             tree.at_mut(index).unwrap().hold(hold);
             model.memories[index].hold = hold;
         }
+        Action::Go(_) if T::GRAPH.nodes[index].states.is_empty() => {}
+        Action::Go(state) => {
+            let state = state.index(T::GRAPH.nodes[index].states.len());
+            assert_eq!(tree.at_mut(index).unwrap().go(state).is_ok(), model.goes(index, state));
+        }
     }
 }
 

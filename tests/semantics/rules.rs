@@ -62,6 +62,7 @@ impl Model {
                 self.visit_now(index)?;
             }
         }
+        self.going = None;
         for index in self.activators_first.clone() {
             let memory = &mut self.memories[index];
             let is_visited = std::mem::take(&mut memory.visited);
@@ -107,6 +108,10 @@ impl Model {
             self.ask(index);
         }
         let is_due = starts || self.is_due(index);
+        let goes = self.going.take_if(|(machine, _)| *machine == index);
+        if let Some((_, to)) = goes.filter(|_| !starts) {
+            return self.go(index, to);
+        }
         if !is_due {
             self.event(Event::Skip(index))?;
         }
@@ -145,16 +150,43 @@ impl Model {
         Ok(())
     }
 
+    /// Makes a machine go to a state in the next cycle; returns whether it can.
+    pub(crate) fn goes(&mut self, index: usize, to: usize) -> bool {
+        let (memory, node) = (&self.memories[index], &self.graph.nodes[index]);
+        let can_be_entered = node.takes(to).is_none() || node.states[to].initial;
+        let is_alone = self.going.is_none_or(|(machine, _)| machine == index);
+        let goes = memory.active && memory.hold != Hold::Latent && can_be_entered && is_alone;
+        if goes {
+            self.going = Some((index, to));
+        }
+        goes
+    }
+
+    /// Runs a machine that goes to a state by request, whether it is due or not: it tries no transition, and nothing is visited for the
+    /// state that it leaves.
+    fn go(&mut self, index: usize, to: usize) -> Comparison {
+        self.event(Event::Run(index))?;
+        self.leave(index)?;
+        self.enter(index, to)?;
+        self.step(index, true)?;
+        self.visit_children(index, LinkKind::Modulation)
+    }
+
+    /// Enters a state, and visits what it requires.
+    fn enter(&mut self, index: usize, to: usize) -> Comparison {
+        let from = self.memories[index].state.replace(to).expect("a machine");
+        self.event(Event::Transition(index, from, to))?;
+        self.ask(index);
+        self.visit_children(index, LinkKind::Requirement)
+    }
+
     /// Runs a component; takes at most one transition. In the same run, the components that the new state requires are
     /// visited, and the new state runs.
     fn run(&mut self, index: usize, entering: bool) -> Comparison {
         self.event(Event::Run(index))?;
         let next = self.decide(index, entering)?;
         if let Some(to) = next {
-            let from = self.memories[index].state.replace(to).expect("a machine");
-            self.event(Event::Transition(index, from, to))?;
-            self.ask(index);
-            self.visit_children(index, LinkKind::Requirement)?;
+            self.enter(index, to)?;
         }
         self.step(index, next.is_some())
     }

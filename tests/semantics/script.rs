@@ -28,6 +28,8 @@ pub(crate) enum Action {
     SetChildRate(f32),
     /// Holds a component.
     Hold(Hold),
+    /// Makes a machine go to a state.
+    Go(Index),
 }
 
 /// One cycle: the actions before it with the indices of their components, and the clock.
@@ -47,6 +49,7 @@ pub(crate) struct Stress {
     pub(crate) flags: u32,
     pub(crate) rates: u32,
     pub(crate) holds: u32,
+    pub(crate) ways: u32,
     /// Percentage of ticks in which a function of a component may panic.
     pub(crate) panics: u32,
     /// Whether the clock jumps, also backwards.
@@ -72,6 +75,7 @@ fn action(stress: Stress) -> BoxedStrategy<Action> {
         stress.rates => Just(Action::Reset),
         stress.rates => rate().prop_map(Action::SetChildRate),
         stress.holds => hold().prop_map(Action::Hold),
+        stress.ways => any::<Index>().prop_map(Action::Go),
     ]
     .boxed()
 }

@@ -6,7 +6,7 @@ use core::fmt;
 use super::ParamGroup;
 use super::kind::Value;
 use crate::action::Action;
-use crate::graph::Node;
+use crate::graph::{Node, State};
 use crate::modulation::Modulation;
 
 /// A request that a tree refused; it changed nothing.
@@ -50,6 +50,11 @@ pub enum Reason {
     UnknownModulation {
         /// Its modulations.
         modulations: &'static [Modulation],
+    },
+    /// The component has no such state.
+    UnknownState {
+        /// Its states.
+        states: &'static [State],
     },
     /// The world has no such action.
     UnknownAction {
@@ -113,6 +118,7 @@ impl fmt::Display for Reason {
             Self::UnknownModulation { modulations } => {
                 list(f, "modulation", &mut modulations.iter().map(|modulation| modulation.name))
             }
+            Self::UnknownState { states } => list(f, "state", &mut states.iter().map(|state| state.name)),
             Self::UnknownAction { actions } => {
                 list(f, "world action", &mut actions.iter().map(|action| action.call.name))
             }

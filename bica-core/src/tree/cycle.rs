@@ -6,6 +6,7 @@ use super::borrow::{BorrowSet, ExclusiveStore, Write};
 use super::component_state::Policy;
 use super::cycle_state::VisitOutcome;
 use super::engine;
+use super::going::goes;
 use super::layout::{Has, Layout, MemberOf};
 use super::results;
 use crate::age::Age;
@@ -122,6 +123,12 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
             self.probe.start(id::<T, C>());
             T::Member::start(self);
         }
+        if const { goes::<T, C>() } && self.store.cycle_state().is_going(T::INDEX) {
+            if !outcome.is_started() && !outcome.is_closed() {
+                return VisitOutcome::GOING;
+            }
+            self.store.cycle_state().takes_going(T::INDEX);
+        }
         outcome
     }
 
@@ -156,6 +163,9 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
     {
         // First, because a hook may unwind.
         self.work::<C>().cancel();
+        if const { goes::<T, C>() } {
+            self.store.cycle_state().takes_going(T::INDEX);
+        }
         T::Member::stop(self);
         self.probe.stop(id::<T, C>());
     }

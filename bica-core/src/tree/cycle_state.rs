@@ -14,6 +14,8 @@ use crate::rate::Period;
 const RECHECKED: u8 = 2;
 /// In place of 0, or added to the number: components are held active.
 const HELD_ACTIVE: u8 = 1 << 7;
+/// In place of the index of a component, of which there are at most 255.
+const NOBODY: u8 = u8::MAX;
 
 /// The time and the parity of a cycle, and whether the active set may differ from that of the previous cycle.
 #[derive(PartialEq)]
@@ -31,6 +33,8 @@ pub(crate) struct CycleState {
     steady: Cell<bool>,
     /// Number of components that are held active.
     held_active: Cell<u16>,
+    /// Machine that goes to a state in the next cycle, and that state.
+    going: Cell<(u8, u8)>,
 }
 
 /// Outcome of a visit, as bits: asking for one of them takes one instruction.
@@ -48,12 +52,21 @@ impl VisitOutcome {
     const RESUMED: Self = Self(1 | 2 | 4);
     /// The component became active in its initial state.
     pub(crate) const ENTERED: Self = Self(1 | 2 | 4 | 8);
+    /// The machine goes to a state by request: this visit is closed, and a run of its own takes its place.
+    pub(crate) const GOING: Self = Self(16);
 
     /// Whether the visit ends here.
     #[inline]
     #[must_use]
     pub const fn is_closed(self) -> bool {
-        self.0 == Self::CLOSED.0
+        self.0 & 1 == 0
+    }
+
+    /// Whether the machine goes to a state by request.
+    #[inline]
+    #[must_use]
+    pub const fn is_going(self) -> bool {
+        self.0 == Self::GOING.0
     }
 
     /// Whether the component is to run.
@@ -88,7 +101,29 @@ impl CycleState {
             interrupted: Cell::new(false),
             steady: Cell::new(false),
             held_active: Cell::new(0),
+            going: Cell::new((NOBODY, 0)),
         }
+    }
+
+    /// Records that a machine goes to a state in the next cycle; returns false if another one does.
+    pub(crate) fn goes(&self, component: usize, state: usize) -> bool {
+        let (other, _) = self.going.get();
+        let accepts = other == NOBODY || usize::from(other) == component;
+        if accepts {
+            self.going.set((component as u8, state as u8));
+        }
+        accepts
+    }
+
+    /// Whether the machine goes to a state.
+    #[inline]
+    pub(crate) fn is_going(&self, component: usize) -> bool {
+        usize::from(self.going.get().0) == component
+    }
+
+    /// Returns the state to which the machine goes, once.
+    pub(crate) fn takes_going(&self, component: usize) -> Option<usize> {
+        self.is_going(component).then(|| self.going.replace((NOBODY, 0)).1.into())
     }
 
     /// Begins a cycle. If the tree `keeps_parity`, a steady tick has the parity of the previous one.

@@ -4,11 +4,12 @@ use core::fmt;
 use core::ops::{Deref, DerefMut};
 
 use super::layout::Layout;
-use super::{Tree, tuning};
+use super::{Tree, going, tuning};
 use crate::hold::Hold;
 use crate::id::ComponentId;
 use crate::key::Key;
 use crate::params::Value;
+use crate::refusal::Refusal;
 
 /// A component of a tree between two cycles: [`Tree::of`] and [`Tree::at`] give one that reads, [`Tree::of_mut`] and
 /// [`Tree::at_mut`] one that writes, too.
@@ -57,6 +58,17 @@ impl<R: DerefMut<Target: Tree>> Handle<R> {
     /// Holds the component active or latent from the next cycle on, or releases it.
     pub fn hold(&mut self, hold: Hold) {
         self.tree.engine_mut().hold(self.component, hold);
+    }
+
+    /// Makes the active state machine go to a state in the next cycle, in a run of its own, whether it is due or not: with the exit hooks
+    /// of the state that it leaves and the entry hooks of the one that it enters, as by a transition whose condition holds. If the
+    /// machine becomes latent or begins in that cycle, nothing happens.
+    ///
+    /// # Errors
+    /// If there is no such state, if the machine is latent, if the state takes what a transition found (`Found<T>`), if another machine of
+    /// the tree goes to a state in that cycle, or on a microcontroller.
+    pub fn go(&mut self, state: impl Key) -> Result<(), Refusal> {
+        going::request(&*self.tree, self.component, state)
     }
 
     /// Sets the rate, as [`Rate::set`](crate::Rate::set) does; `None` is the declared rate.

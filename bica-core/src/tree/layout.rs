@@ -119,6 +119,10 @@ pub trait MemberOf<T: Layout, B = <Self as Component>::Block>: Component {
     #[inline]
     fn proceed<P: Probe>(_: &mut Cycle<'_, T, P>, _: Visit, _: Machine) {}
 
+    /// Runs a state machine that goes to a state by request, without the transitions of the state in which it is.
+    #[inline]
+    fn go<P: Probe>(_: &mut Cycle<'_, T, P>) {}
+
     /// Calls the `#[start]` hooks.
     #[inline]
     fn start<P: Probe>(_: &mut Cycle<'_, T, P>) {}

@@ -36,6 +36,8 @@ macro_rules! __visit_functions {
                         cycle.skip::<$component>();
                     }
                     $crate::__pass!($component, cycle, visit);
+                } else if const { $crate::__private::goes::<Self, $component>() } && outcome.is_going() {
+                    $crate::__pass!($component, cycle);
                 }
                 return;
             }
@@ -48,6 +50,8 @@ macro_rules! __visit_functions {
             if !outcome.is_closed() {
                 let visit = $crate::__private::Visit { due: true, entering: outcome.is_entering() };
                 $crate::__pass!($component, cycle, visit);
+            } else if const { $crate::__private::goes::<Self, $component>() } && outcome.is_going() {
+                $crate::__pass!($component, cycle);
             }
         }
 
@@ -82,12 +86,22 @@ macro_rules! __visit_functions {
     };
 }
 
-/// Calls `MemberOf::pass` or `MemberOf::pass_steady` of the component. The function in between knows of the component
+/// Calls `MemberOf::pass`, `MemberOf::pass_steady` or `MemberOf::go` of the component. The function in between knows of the component
 /// only that a tree holds it: if a child is not listed, the compiler reports that once, at the list, and not again for
 /// every call.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __pass {
+    ($component:ty, $cycle:ident) => {{
+        #[cold]
+        #[inline(never)]
+        fn go<__T: $crate::__private::Has<$component>, __P: $crate::__private::Probe>(
+            cycle: &mut $crate::__private::Cycle<'_, __T, __P>,
+        ) {
+            <__T::Member as $crate::__private::MemberOf<__T>>::go(cycle);
+        }
+        go::<Self, __P>($cycle);
+    }};
     ($component:ty, $cycle:ident, $visit:ident) => {{
         #[inline(always)]
         fn pass<__T: $crate::__private::Has<$component>, __P: $crate::__private::Probe>(

@@ -6,6 +6,7 @@ mod batches;
 mod borrows;
 mod carried;
 mod description;
+mod going;
 mod jitter;
 mod machine;
 mod operator;

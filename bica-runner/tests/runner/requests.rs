@@ -163,6 +163,8 @@ fn a_refused_request_changes_nothing() {
         (OwnedRequest::Rate { component: COUNTER, hz: Some(1e6) }, RATE),
         (OwnedRequest::Rate { component: COUNTER, hz: Some(f32::NAN) }, RATE),
         (OwnedRequest::Hold { component: NOBODY, hold: Hold::Latent }, NO_COMPONENT),
+        (OwnedRequest::Go { component: NOBODY, state: 0 }, NO_COMPONENT),
+        (OwnedRequest::Go { component: COUNTER, state: 0 }, "`Counter`: no such state"),
     ];
     let mut runner = runner();
     for (request, _) in &refused {

@@ -46,6 +46,14 @@ impl Description {
         })
     }
 
+    /// Finds a state by `Component.name`: the indices of the component and of the state.
+    ///
+    /// # Errors
+    /// As [`component`](Self::component).
+    pub fn machine_state(&self, path: &str) -> Result<(usize, usize), Invalid> {
+        self.member(path, "state", |component| component.states.iter().map(|state| state.name.as_str()).collect())
+    }
+
     /// Finds an action of the world by name.
     ///
     /// # Errors

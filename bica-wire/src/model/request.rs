@@ -52,6 +52,13 @@ pub enum NamedRequest {
         /// One value for each argument.
         arguments: Vec<Plain>,
     },
+    /// Makes a state machine go to a state.
+    Go {
+        /// Component.
+        component: String,
+        /// State.
+        state: String,
+    },
 }
 
 /// A parameter and its new value.
@@ -91,6 +98,10 @@ impl Description {
                 let index = self.action(action)?;
                 let arguments = values_of(action, &self.actions[index], arguments)?;
                 OwnedRequest::World { action: index as u16, arguments }
+            }
+            NamedRequest::Go { component, state } => {
+                let (component, state) = self.machine_state(&format!("{component}.{state}"))?;
+                OwnedRequest::Go { component: ComponentId::new(component), state: state as u16 }
             }
         })
     }
@@ -165,6 +176,11 @@ impl Description {
             Request::World { action, arguments } => {
                 let (action, arguments) = named_call(self.actions.get(usize::from(action)), action, arguments);
                 NamedRequest::World { action, arguments }
+            }
+            Request::Go { component, state } => {
+                let owner = self.components.get(component.index());
+                let name = owner.and_then(|owner| owner.states.get(usize::from(state))).map(|state| state.name.clone());
+                NamedRequest::Go { component: self.name(component), state: name.unwrap_or_else(|| format!("{state}")) }
             }
         }
     }
@@ -251,6 +267,7 @@ impl fmt::Display for NamedRequest {
                 write!(f, "act {action}")?;
                 write_values(f, arguments)
             }
+            Self::Go { component, state } => write!(f, "go {component} {state}"),
         }
     }
 }

@@ -168,7 +168,7 @@ impl Lease {
             }
             Change::Hold { component, hold } => self.holds.set(*component, *hold != Hold::Tree),
             Change::Rate { component, hz } => self.rates.set(*component, hz.is_some()),
-            Change::Params(_) | Change::Modulate { .. } | Change::World { .. } => {}
+            Change::Params(_) | Change::Modulate { .. } | Change::World { .. } | Change::Go { .. } => {}
         }
         false
     }

@@ -272,5 +272,6 @@ fn describe_change(change: &Change) -> (Option<ComponentId>, &'static str) {
         Change::Params(batch) => (batch.first().map(|setting| setting.component), "set"),
         Change::Modulate { component, .. } => (Some(*component), "call"),
         Change::World { .. } => (None, "no world"),
+        Change::Go { component, .. } => (Some(*component), "go"),
     }
 }

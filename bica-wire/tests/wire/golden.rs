@@ -6,7 +6,8 @@
 //! their frames. Then any world could show its scenery and true state, images got the names of their cameras, and runs a result. Then
 //! lines of the log got their source, and descriptions the schemas of the robot's messages. Then modulations said whether they
 //! stop the robot, and transitions what they carry. Then links got their roles, transitions the results and parameters for
-//! which they wait, and components their work. Then components got types beside their names.
+//! which they wait, and components their work. Then components got types beside their names, and
+//! machines could go to states by request.
 
 use bica_core::ComponentId;
 use bica_core::visual::SceneItem;
@@ -22,7 +23,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xa192_42bc_5b1f_50a0;
+const GOLDEN_SCHEMA: u64 = 0x402c_980c_e5cc_6ddf;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
@@ -106,6 +107,7 @@ fn messages_of_monitors_have_the_documented_bytes() {
     assert_eq!(request(call), [5, 1, 2, 3, 3, 4, 5, 2, 1, 1, 4, 6]);
     let arguments = [Value::Bool(true)].into_iter().collect();
     assert_eq!(request(Change::World { action: 5, arguments }), [5, 1, 2, 3, 4, 5, 1, 3, 1]);
+    assert_eq!(request(Change::Go { component: ComponentId::new(4), state: 300 }), [5, 1, 2, 3, 5, 4, 172, 2]);
 
     let to = |message: &ToMonitor<'_>| postcard::to_stdvec(message).expect("serializable");
     let info = CycleInfo { cycle: 1, time_us: 2, sensed: 3, images: 4, overruns: 5 };

@@ -154,7 +154,8 @@ fn requests() -> impl Strategy<Value = FromMonitor> {
     let modulate = (component(), any::<u16>(), arguments).prop_map(|(component, modulation, arguments)| {
         Change::Modulate { component, modulation, arguments: arguments.into_iter().collect() }
     });
-    let change = prop_oneof![hold, rate, params, modulate];
+    let go = (component(), any::<u16>()).prop_map(|(component, state)| Change::Go { component, state });
+    let change = prop_oneof![hold, rate, params, modulate, go];
     (any::<u32>(), any::<u64>(), any::<u64>(), change).prop_map(|(number, lease, expires_us, change)| {
         FromMonitor::Request(Request { number, lease, expires_us, change })
     })

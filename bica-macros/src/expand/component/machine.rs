@@ -35,6 +35,7 @@ impl Parts<'_> {
         let empty = self.slots.exist().then(|| self.slots.empty());
         let proceed = self.proceed(empty);
         let own = (!self.slots.exist()).then(|| self.proceeding());
+        let go = self.go(&proceed);
         let progress = self.progress();
         let asked = self.asked(self.machine.initial);
         let entered = asked.map(|asked| quote!(if visit.entering { #asked }));
@@ -48,7 +49,33 @@ impl Parts<'_> {
 
             #steady
 
+            #go
+
             #own
+        }
+    }
+
+    /// The run in which the machine goes to a state by request.
+    fn go(&self, proceed: &TokenStream) -> TokenStream {
+        let p = self.p;
+        let exits = self.machine.states.iter().enumerate().filter(|(_, state)| !state.exits.is_empty());
+        let exits = exits.map(|(index, state)| {
+            let calls = self.calls(&state.exits);
+            quote!(#index => { #calls })
+        });
+        let asked = (0..self.machine.states.len()).filter_map(|state| {
+            let asked = self.asked(state)?;
+            Some(quote!(#state => { #asked }))
+        });
+        quote! {
+            fn go<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>) {
+                let (from, to) = cycle.begin_going::<Self>();
+                match from { #(#exits)* _ => {} }
+                let machine = cycle.transition::<Self>(from, to);
+                match to { #(#asked)* _ => {} }
+                let visit = #p::Visit { due: true, entering: false };
+                #proceed;
+            }
         }
     }
 

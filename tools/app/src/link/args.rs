@@ -92,6 +92,13 @@ pub(super) enum LinkAction {
         #[arg(long, value_name = "S", value_parser = seconds)]
         seconds: Option<f64>,
     },
+    /// Make a state machine go to a state, once
+    Go {
+        /// Component
+        component: String,
+        /// State
+        state: String,
+    },
     /// Stop the robot at once, whoever operates it
     Stop,
     /// Call a modulation of a component

@@ -57,6 +57,10 @@ pub(crate) fn run(args: &Link) -> Result<Outcome, Failure> {
         LinkAction::Rate { component, hz, seconds } => {
             monitor.keep(&NamedRequest::Rate { component: component.clone(), hz: Some(*hz) }, *seconds)
         }
+        LinkAction::Go { component, state } => {
+            let (component, state) = (component.clone(), state.clone());
+            monitor.call(&NamedRequest::Go { component, state }, "done")
+        }
         LinkAction::Stop => monitor.stop(),
         LinkAction::Modulate { modulation, arguments } => monitor.modulate(modulation, arguments),
         LinkAction::Log { count } => monitor.log(*count),

@@ -38,6 +38,12 @@ fn operator_watches_tunes_and_drives_a_paused_robot() {
     ] {
         refused(&[&["link", &served.address][..], args].concat(), &[error]);
     }
+    link(&served, &["go", "Explorer", "arrive"]);
+    refused(&["link", &served.address, "go", "Explorer", "arive"], &["did you mean `arrive`?"]);
+    link(&served, &["step", "1"]);
+    let watched = link(&served, &["watch", "--count", "1"]);
+    let gone = watched.iter().find(|line| line["schema"] == "bica/link-snapshot/1").expect("a snapshot");
+    assert_eq!(gone["components"][0]["state"], "arrive");
     link(&served, &["hold", "Explorer", "latent", "--seconds", "0.01"]);
     link(&served, &["modulate", "Drive.request", "0.2", "1.0"]);
     link(&served, &["step", "50"]);

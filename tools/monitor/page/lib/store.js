@@ -55,14 +55,15 @@ export const dismiss = (id) => { notices.value = notices.value.filter((notice) =
 export const leaving = new Set();
 
 /** Requests that change the tree. */
-const REQUESTS = new Set(['hold', 'rate', 'set', 'modulate']);
+const REQUESTS = new Set(['hold', 'rate', 'set', 'modulate', 'go']);
 
 /** A request by name: panels use indices, the server takes names. */
 function named(description, type, { component, modulation, settings, ...rest }) {
   const of = (index) => description.components[index];
   const setting = (one) => ({ component: of(one.component).name, param: of(one.component).params[one.param].name, value: one.value });
   if (type === 'set') return { type, settings: settings.map(setting) };
-  const { name, modulations } = of(component);
+  const { name, modulations, states } = of(component);
+  if (type === 'go') return { type, component: name, state: states[rest.state].name };
   return { type, component: name, ...(type === 'modulate' && { modulation: modulations[modulation].name }), ...rest };
 }
 

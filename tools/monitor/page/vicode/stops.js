@@ -4,7 +4,7 @@ import { computed, signal } from '../lib/dom.js';
 import { listen, request } from '../lib/connection.js';
 import { resolve } from '../lib/curves.js';
 import { numberAt } from '../lib/format.js';
-import { act, ask, notify, seek, session } from '../lib/store.js';
+import { act, ask, notify, operate, seek, session } from '../lib/store.js';
 import { stored } from '../lib/stored.js';
 import { parsed, stateKey } from './machine.js';
 import { component, machine } from './sources.js';
@@ -59,6 +59,14 @@ export function toggleStop(key) {
 }
 
 export const clearStops = () => send([]);
+
+/** Makes the running machine go to a state. */
+export async function goTo(key) {
+  const [found] = stopsOf(key);
+  if (found?.state === undefined) return notify('error', 'no session runs this state', 'open a world, or press Run');
+  if (await operate()) await act('go', found);
+  return undefined;
+}
 
 // ---- conditions
 

@@ -145,9 +145,16 @@ impl Probe for FirmwareCheck {}
 
 impl Observer<Forward> for FirmwareCheck {
     fn requested(&mut self, _now: Instant, request: &Request<'_>) {
-        // Requests to the world concern only this program.
-        if self.controller.is_some() && !matches!(request, Request::World { .. }) {
-            self.changes.push(request.store());
+        match request {
+            _ if self.controller.is_none() => {}
+            // Requests to the world concern only this program.
+            Request::World { .. } => {}
+            Request::Go { .. } => {
+                let what =
+                    "the firmware's image goes to no state by request, so it and this program differ from now on";
+                self.failure = Some(Failure::new(what, "play with `--world built-in`"));
+            }
+            request => self.changes.push(request.store()),
         }
     }
 

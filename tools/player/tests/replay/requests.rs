@@ -1,4 +1,5 @@
-//! Replays of games in which an operator changes holds, rates and parameters, and calls modulations, at random times.
+//! Replays of games in which an operator changes holds, rates and parameters, calls modulations, and makes machines go to states, at
+//! random times.
 
 use std::fs::File;
 
@@ -31,13 +32,19 @@ fn operated(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
 
 fn random_request(rng: &mut Pcg64) -> OwnedRequest {
     let component = ComponentId::new(rng.next_u32() as usize % GRAPH.nodes.len());
-    match rng.next_u32() % 4 {
+    match rng.next_u32() % 5 {
         0 => {
             let hold = [Hold::Tree, Hold::Active, Hold::Latent][rng.next_u32() as usize % 3];
             OwnedRequest::Hold { component, hold }
         }
         1 => OwnedRequest::Rate { component, hz: Some(f32::from_bits(rng.next_u32())).filter(|hz| !hz.is_nan()) },
         2 => {
+            let machines = GRAPH.nodes.iter().enumerate().filter(|(_, node)| !node.states.is_empty());
+            let machines: Vec<_> = machines.map(|(index, node)| (index, node.states.len())).collect();
+            let (machine, states) = machines[rng.next_u32() as usize % machines.len()];
+            OwnedRequest::Go { component: ComponentId::new(machine), state: (rng.next_u32() as usize % states) as u16 }
+        }
+        3 => {
             let tree = Description::of(&GRAPH);
             let owners = tree.components.iter().enumerate();
             let params: Vec<_> = owners
@@ -75,7 +82,7 @@ fn random_value<V: Variants>(kind: &Kind<V>, rng: &mut Pcg64) -> Value {
 
 #[test]
 fn games_with_random_requests_replay() {
-    let mut rng = Pcg64::seed_from_u64(13);
+    let (mut rng, mut gone) = (Pcg64::seed_from_u64(13), 0);
     for (game, images) in
         [ImagePolicy::All, ImagePolicy::None, ImagePolicy::All, ImagePolicy::None].into_iter().enumerate()
     {
@@ -85,5 +92,7 @@ fn games_with_random_requests_replay() {
         assert!(replayed.equal, "game {game}: {:?}", replayed.first_difference);
         let info = Info::read(File::open(&file.0).expect("recorded")).expect("a recording");
         assert_eq!(info.requests.len(), count);
+        gone += info.requests.iter().filter(|one| one.request.starts_with("go ")).count();
     }
+    assert!(gone > 0, "no machine went to a state");
 }

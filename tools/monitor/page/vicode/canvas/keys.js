@@ -6,7 +6,7 @@ import { parsed } from '../machine.js';
 import { choose, chosenNote, chosenStates, machine, redo, selection, undo } from '../sources.js';
 import { copy, paste } from '../clipboard.js';
 import { focusCode } from '../focus.js';
-import { toggleStop } from '../stops.js';
+import { goTo, toggleStop } from '../stops.js';
 import { addNote, editNote } from '../notes.js';
 import { descendFirst } from '../trail.js';
 import { addChild, addState, askTransition, chooseAll, nudge, remove, rename } from './actions.js';
@@ -94,6 +94,7 @@ const KEYS = [
   ['e', 'edit its properties', on(() => { openPanel('inspector'); setTimeout(() => document.querySelector('.inspector input, .inspector textarea')?.focus(), 60); })],
   ['Delete', 'delete what is selected', on(remove)],
   ['b', 'breakpoint at the state or transition', on(() => selection.value.forEach(toggleStop))],
+  ['G', 'the running machine goes to the state', on(() => goTo(selection.value.at(-1) ?? ''))],
   ['Shift+ArrowLeft', 'move to the left', on(() => nudge(-24, 0))], ['Shift+ArrowRight', 'move to the right', on(() => nudge(24, 0))],
   ['Shift+ArrowUp', 'move up', on(() => nudge(0, -24))], ['Shift+ArrowDown', 'move down', on(() => nudge(0, 24))],
   ['Ctrl+a', 'select all states', chooseAll],
