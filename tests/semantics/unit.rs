@@ -139,7 +139,7 @@ impl Unit {
 }
 
 /// Records the result of a child.
-pub(crate) fn ended<C>(of: &'static str, outcome: Outcome<C>) {
+pub(crate) fn ended<C>(of: &'static str, outcome: &Outcome<C>) {
     record_call(Event::Ended { of, end: outcome.end() });
 }
 

@@ -87,7 +87,7 @@ unit!(Helper(hz = 40) {
 
     #[transition(help -> rest)]
     fn gives_up(&self, reach: &Outcome<Reach>) -> bool {
-        ended("Reach", *reach);
+        ended("Reach", reach);
         self.unit.evaluate("gives_up", [])
     }
 
