@@ -8,7 +8,8 @@ use crate::graph::End;
 /// The result of the child `C`: an argument `reach: &Outcome<Reach>` of a transition, for conditions that say more than
 /// `when = done(Reach)`.
 ///
-/// It is no link: each state that the transition leaves activates `C` itself. As with `when`, `C` begins anew where such a state is entered.
+/// It is no link: each state that the transition leaves activates `C` itself. As with `when`, `C` begins anew where such a state is
+/// entered.
 pub struct Outcome<C> {
     end: Option<End>,
     of: PhantomData<fn() -> C>,

@@ -122,8 +122,8 @@ impl<'a> Request<'a> {
     /// Applies the request to a tree, or to its world.
     ///
     /// # Errors
-    /// If the tree has no such component, parameter, modulation or state, the world no such action, or a value, a rate or a way to a state is
-    /// not accepted; then nothing changes.
+    /// If the tree has no such component, parameter, modulation or state, the world no such action, or a value, a rate or a way to a state
+    /// is not accepted; then nothing changes.
     pub fn apply_in<T: Tree>(self, tree: &mut T, world: Option<&mut dyn Actions>) -> Result<(), Refusal> {
         match self {
             Self::Hold { component, hold } => tree.at_mut(component).map(|mut component| component.hold(hold)),

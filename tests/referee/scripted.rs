@@ -18,14 +18,15 @@ impl Match {
     }
 
     /// Checks that some players stand from 2.5 s after the last command on.
-    fn stands(&mut self, state: &str, players: impl Iterator<Item = usize> + Clone) {
+    fn stands(&mut self, state: &str, players: impl Iterator<Item = usize>) {
+        let players: Vec<usize> = players.collect();
         for _ in 0..250 {
             self.cycle();
         }
         let before = self.poses();
         for _ in 0..400 {
             self.cycle();
-            for player in players.clone() {
+            for &player in &players {
                 let (was, now) = (before[player], self.pose(player));
                 assert_eq!(self.players[player].state(), state, "robot {player}");
                 assert!(was.position.distance(now.position) < 0.05, "{state}: robot {player} from {was:?} to {now:?}");

@@ -1,8 +1,8 @@
 //! Semantics of activation trees: in random scripts, the events of trees that are written with the macros are compared
 //! with those of a model.
 //!
-//! [`rules`] is the model. Scripts tick the tree, set flags that transitions read, change rates, hold components and make machines go to states; components
-//! record their calls, times and values.
+//! [`rules`] is the model. Scripts tick the tree, set flags that transitions read, change rates, hold components and
+//! make machines go to states; components record their calls, times and values.
 
 mod event;
 mod graph;

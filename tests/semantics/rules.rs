@@ -41,8 +41,8 @@ impl Memory {
 }
 
 impl Model {
-    /// Runs one cycle: stops what was active when the last tick unwound; visits the root, then all components that are held active, then those that were put off; then stops the components
-    /// that were not visited.
+    /// Runs one cycle: stops what was active when the last tick unwound; visits the root, then all components that are held active, then
+    /// those that were put off; then stops the components that were not visited.
     pub(crate) fn cycle(&mut self) -> Comparison {
         for index in self.activators_first.clone() {
             let memory = &mut self.memories[index];

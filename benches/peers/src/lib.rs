@@ -3,8 +3,8 @@
 //! [`part`] defines the workloads. Each other module implements them in one design: [`framework`] with BICA, [`plain`]
 //! as functions written by hand, [`boxed`] as `Box<dyn Component>`, [`callbacks`] and [`channels`] over a blackboard.
 //! [`machine`] is a machine of five states by hand, with statig and with smlang; [`behavior_tree`] ten leaves of a behavior
-//! tree by hand and with bonsai-bt. `copper` needs the feature of its name, because copper-rs takes minutes to compile. [`cases`] lists what is measured; `benches/scripts/peers.py` measures it, prints
-//! tables, and checks the claims.
+//! tree by hand and with bonsai-bt. `copper` needs the feature of its name, because copper-rs takes minutes to compile.
+//! [`cases`] lists what is measured; `benches/scripts/peers.py` measures it, prints tables, and checks the claims.
 #![recursion_limit = "256"]
 
 pub mod behavior_tree;

@@ -119,7 +119,7 @@ fn a_machine_goes_with_hooks_in_the_next_cycle() {
 }
 
 #[test]
-fn a_request_that_is_impossible_is_refused_with_the_reason() {
+fn an_impossible_request_is_refused_with_the_reason() {
     let mut robot = Robot::new();
     let refused = |robot: &mut Robot, component: &str, state: &str, words: &str| {
         let text = robot.at_mut(component).unwrap().go(state).expect_err(state).to_string();

@@ -172,7 +172,7 @@ fn a_transition_without_times_ends_the_row() {
 }
 
 #[test]
-fn a_condition_reads_a_result_and_the_child_begins_anew() {
+fn a_condition_reads_a_result_which_begins_anew() {
     let mut court = Court::new();
     for cycle in 0..4 {
         court.tick(at(10 * cycle));

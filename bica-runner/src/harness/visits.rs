@@ -15,8 +15,8 @@ const FOLDER: &str = "BICA_COVERAGE";
 /// Distinguishes the tests of a process.
 static COUNT: AtomicUsize = AtomicUsize::new(0);
 
-/// Changes of all state machines; a file gets them when this is dropped. A line has time in µs, type of the component and state, `-` while it is
-/// latent, between tabs. Each run ends with the present states.
+/// Changes of all state machines; a file gets them when this is dropped. A line has time in µs, type of the component and state, `-`
+/// while it is latent, between tabs. Each run ends with the present states.
 #[derive(Debug)]
 pub(super) struct Visits {
     path: PathBuf,

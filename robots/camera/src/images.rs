@@ -44,8 +44,8 @@ impl Images {
     }
 
     /// Takes the newest image of a camera that belongs to the sensor map of this number, counted from 0 by this program, or to an earlier
-    /// one. Older images are dropped. With `is_complete` those of a socket are read first that the robot has sent before, so that the result
-    /// does not depend on the speed of the computer.
+    /// one. Older images are dropped. With `is_complete` those of a socket are read first that the robot has sent before, so that the
+    /// result does not depend on the speed of the computer.
     #[must_use]
     pub fn take(&self, camera: CameraId, number: u32, is_complete: bool) -> Option<Frame> {
         match &self.0 {

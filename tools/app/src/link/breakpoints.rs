@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn breakpoints_are_states_and_all_transitions_of_a_name() {
+    fn states_and_all_transitions_of_a_name_are_found() {
         let state = |name: &str| State { name: name.to_owned(), ..State::default() };
         let transition = |from, to| Transition { name: "pressed".to_owned(), from, to, ..Transition::default() };
         let states = ["dark", "lit"].map(state).to_vec();

@@ -22,12 +22,12 @@ export function labelOf(of, label) {
   return known ? label.replace(PARTS, (_, name) => shownText(of, name)) : of.info.value.name;
 }
 
-const COLOURS = [0, 6, 2, 5];
+const CURVES = [0, 6, 2, 5];
 
 /** Colours by the values of an output that names the group of a session, for all sessions: Map from value to colour. */
 export function groupsOf(all, name) {
   const values = [...new Set(all.map((of) => shownText(of, name)))].sort((one, other) => one.localeCompare(other, 'en', { numeric: true }));
-  return new Map(values.map((value, index) => [value, curveColour(COLOURS[index % COLOURS.length])]));
+  return new Map(values.map((value, index) => [value, curveColour(CURVES[index % CURVES.length])]));
 }
 
 /** Watches the outputs of labels, and the one that names the group, of all sessions. */
