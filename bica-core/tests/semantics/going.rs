@@ -127,7 +127,7 @@ fn an_impossible_request_is_refused_with_the_reason() {
     };
     refused(&mut robot, "Arm", "reach", "`Arm.reach`: the machine is latent");
     tick(&mut robot, 0);
-    refused(&mut robot, "Arm", "rech", "no such state; there are: rest, reach, grip");
+    refused(&mut robot, "Arm", "reaches", "no such state; there are: rest, reach, grip");
     refused(&mut robot, "Hand", "rest", "`Hand`: no such state");
     refused(&mut robot, "Arm", "grip", "only a transition can enter it");
     robot.of_mut::<Arm>().go("reach").unwrap();

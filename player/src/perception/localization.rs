@@ -54,6 +54,11 @@ impl Localization {
         self.localizer.see(Sightings::of(lines.markings(), goals.goals(), goals.attacked(), camera));
     }
 
+    /// Forgets the pose: people have carried the robot.
+    pub const fn forget(&mut self) {
+        self.localizer = Localizer::new(SEED);
+    }
+
     /// Counts a cycle since the last run and the last image.
     pub(super) const fn pass_cycle(&mut self) {
         self.ego_motion.pass_cycle();

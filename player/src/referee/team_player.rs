@@ -8,7 +8,7 @@ use crate::FIELD;
 use crate::behaviour::{LookAround, SafetyGuard};
 use crate::input::{HealthMonitor, RobotState};
 use crate::motion::{Body, Head};
-use crate::perception::FallDetector;
+use crate::perception::{FallDetector, Localization};
 use crate::team::{TeamComm, TeamPlay};
 
 /// Distance from the lines within which a player that is let in again begins to play, m.
@@ -85,6 +85,13 @@ impl TeamPlayer {
     ) {
         body.stand();
         head.look_at(0.0, 0.0);
+        field.forget();
+    }
+
+    /// People may have carried the robot to another place.
+    #[exit(penalized)]
+    fn lose_place(&mut self, localization: &mut Localization, field: &mut FieldPose) {
+        localization.forget();
         field.forget();
     }
 

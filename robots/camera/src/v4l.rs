@@ -1,8 +1,8 @@
 //! A V4L2 device.
 //!
-//! `moq-v4l` is the crate `v4l` with the kernel's constants checked in: `v4l` itself needs libclang. Its stream queues the last buffer again
-//! when the next image is requested, also if the request before has timed out; then the kernel refuses the buffer. So a stream is not
-//! used after an error ([`Device`]), which closes it, and with it all of its buffers.
+//! `moq-v4l` is the crate `v4l` with the kernel's constants checked in: `v4l` itself needs libclang. Its stream queues the last buffer
+//! again when the next image is requested, also if the request before has timed out; then the kernel refuses the buffer. So a stream is
+//! not used after an error ([`Device`]), which closes it, and with it all of its buffers.
 
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -39,7 +39,7 @@ fn operator_watches_tunes_and_drives_a_paused_robot() {
         refused(&[&["link", &served.address][..], args].concat(), &[error]);
     }
     link(&served, &["go", "Explorer", "arrive"]);
-    refused(&["link", &served.address, "go", "Explorer", "arive"], &["did you mean `arrive`?"]);
+    refused(&["link", &served.address, "go", "Explorer", "arrives"], &["did you mean `arrive`?"]);
     link(&served, &["step", "1"]);
     let watched = link(&served, &["watch", "--count", "1"]);
     let gone = watched.iter().find(|line| line["schema"] == "bica/link-snapshot/1").expect("a snapshot");

@@ -24,7 +24,7 @@ export function labelOf(of, label) {
 
 const CURVES = [0, 6, 2, 5];
 
-/** Colours by the values of an output that names the group of a session, for all sessions: Map from value to colour. */
+/** A colour for each value of an output, which names the group of a session: Map from value to colour. */
 export function groupsOf(all, name) {
   const values = [...new Set(all.map((of) => shownText(of, name)))].sort((one, other) => one.localeCompare(other, 'en', { numeric: true }));
   return new Map(values.map((value, index) => [value, curveColour(CURVES[index % CURVES.length])]));

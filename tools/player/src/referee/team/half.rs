@@ -164,3 +164,75 @@ impl Half {
 fn order(game: &mut Game, command: Command) -> Result<(), Failure> {
     game.execute(command).map_err(|what| Failure::new(what, "give other --teams"))
 }
+
+#[cfg(test)]
+mod tests {
+    use bica::Tree;
+    use bica_field::FIELD;
+    use bica_player::referee::{TeamForward, TeamPlayer};
+    use bica_player::team::{Role, Roles};
+    use clap::Parser;
+
+    use super::*;
+
+    /// Index of the penalized player, the only one that plays: nobody shoots a goal in the meantime.
+    const OUT: usize = 0;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        play: Play,
+    }
+
+    fn half(more: &[&str]) -> Half {
+        let play = ["play", "--world", "team", "--teams", "5,23", "--games", "1", "--size", "160x120"];
+        let args = Line::parse_from([&play[..], more].concat()).play;
+        Half::new(&args, [5, 23], 0, &Layers::new(const { &TeamForward::GRAPH })).expect("there is room")
+    }
+
+    impl Half {
+        fn run(&mut self, seconds: u32) {
+            for _ in 0..100 * seconds {
+                self.cycle().expect("a cycle");
+            }
+        }
+
+        /// State of the player; `None` before its first cycle.
+        fn state(&self) -> Option<&'static str> {
+            self.teams.players[OUT].forward().of::<TeamPlayer>().state_name()
+        }
+
+        /// Time until the player is in a state, s.
+        fn reaches(&mut self, state: &str, limit: u32) -> f64 {
+            let start = self.teams.seconds();
+            while self.state() != Some(state) {
+                self.cycle().expect("a cycle");
+                assert!(self.teams.seconds() - start < f64::from(limit), "{:?} instead of {state}", self.state());
+            }
+            self.teams.seconds() - start
+        }
+    }
+
+    #[test]
+    fn penalized_player_returns_from_the_side_line() {
+        let mut half = half(&["--players", "1", "--idle"]);
+        half.reaches("playing", 60);
+        half.penalize(OUT, Penalty::Pushing, half.teams.seconds()).expect("the team plays");
+        half.run(3);
+        let line = FIELD.field_corner().y;
+        let pose = |half: &Half| half.teams.field.truth(OUT).robot();
+        let carried = pose(&half);
+        assert!(carried.position.x < -0.3 && carried.position.y.abs() > line - 0.15, "{carried:?}");
+        half.run(26);
+        let stood = pose(&half);
+        assert_eq!(half.state(), Some("penalized"));
+        assert!(stood.position.distance(carried.position) < 0.05 && (stood.heading - carried.heading).abs() < 0.25);
+        half.reaches("enter", 2);
+        let entered = half.reaches("playing", 12);
+        let inside = pose(&half);
+        assert!(inside.position.y.abs() < line - 0.2, "{inside:?} after {entered} s");
+        assert_eq!((half.tally.penalties, half.assistants.carried), ([1, 0], 1));
+        half.run(1);
+        assert_ne!(half.teams.players[OUT].forward().get::<Roles>().role(), Role::Absent);
+    }
+}
