@@ -82,8 +82,8 @@ pub struct Node {
     pub states: &'static [State],
     /// The transitions, in the order in which they are evaluated; one entry for each state that it leaves.
     pub transitions: &'static [Transition],
-    /// The components whose results the functions of transitions take, by index.
-    pub outcomes: &'static [usize],
+    /// Whether functions of transitions take results of children.
+    pub takes_outcomes: bool,
     /// The parameters, one group for each struct. A [`Setting`](crate::Setting) counts them through all groups.
     pub params: &'static [ParamGroup],
     /// The outputs: what an operator may look at.
@@ -117,7 +117,7 @@ impl Node {
             links: &[],
             states: &[],
             transitions: &[],
-            outcomes: &[],
+            takes_outcomes: false,
             params: &[],
             info: &[],
             modulations: &[],

@@ -50,12 +50,14 @@ impl<T: Layout> Engine<T> {
 pub(super) fn request<T: Tree>(tree: &T, component: ComponentId, state: impl Key) -> Result<(), Refusal> {
     let node = &T::GRAPH.nodes[component.index()];
     let refusal = |name, reason| Refusal { entry: 0, component: node.name, name, reason };
+    if !IS_POSSIBLE {
+        return Err(refusal("", Reason::Rule("a microcontroller's program goes to no state by request")));
+    }
     let found = state.find(node.states.iter().map(|state| state.name)).filter(|state| *state < node.states.len());
     let state = found.ok_or(refusal("", Reason::UnknownState { states: node.states }))?;
     let State { name, initial, .. } = node.states[state];
     let is_active = tree.status(component).is_some_and(|status| status.active && status.held != Hold::Latent);
     let rule = match () {
-        () if !IS_POSSIBLE => "a microcontroller's program goes to no state by request",
         () if node.takes(state).is_some() && !initial => {
             "the state takes what a transition has found, so only a transition can enter it"
         }

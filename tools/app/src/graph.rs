@@ -61,7 +61,7 @@ fn notes(graph: &Graph) -> Vec<String> {
     let ends = ends.filter_map(|(index, node, state)| {
         let end =
             state.end.filter(|end| !waits.iter().any(|when| (usize::from(when.child), when.end) == (index, *end)))?;
-        if graph.nodes.iter().any(|node| node.outcomes.contains(&index)) {
+        if graph.nodes.iter().any(|node| node.takes_outcomes && node.links.iter().any(|link| link.to == index)) {
             return None;
         }
         let (name, state, word) = (node.name, state.name, end.word());

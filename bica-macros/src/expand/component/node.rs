@@ -18,10 +18,12 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
         Behaviour::Step(_) => Vec::new(),
         Behaviour::Machine(machine) => machine.edges.iter().map(|edge| transition(&p, edge, tuning)).collect(),
     };
-    let outcomes = component
+    let outcomes: Vec<_> = component
         .functions()
         .flat_map(Function::outcomes)
-        .map(|of| with_end(&p, of, &quote!(::core::option::Option::None)));
+        .map(|of| with_end(&p, of, &quote!(::core::option::Option::None)))
+        .collect();
+    let takes_outcomes = !outcomes.is_empty();
     let distinct: TokenStream = component.functions().map(distinct).collect();
     let (written, count) = (visits.written(), visits.len());
     quote! {
@@ -41,7 +43,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
                 }.as_slice(),
                 states: <Self as #p::Component>::STATES,
                 transitions: &[#(#transitions),*],
-                outcomes: &[#(#outcomes),*],
+                takes_outcomes: { #(let _ = #outcomes;)* #takes_outcomes },
                 params: <Self as #p::Component>::PARAMS,
                 info: <Self as #p::Component>::INFO,
                 modulations: <Self as #p::Component>::MODULATIONS,
