@@ -8,7 +8,8 @@ use clap::Args;
 /// Arguments of a program that serves the page.
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// Robots (tcp://HOST:PORT, tcp://HOST:FIRST..LAST for several ports, serial:DEVICE or serial:DEVICE@BAUD) and recordings (FILE.mcap); none: a world of this program
+    /// Robots (tcp://HOST:PORT, tcp://HOST:FIRST..LAST for several ports, serial:DEVICE or serial:DEVICE@BAUD) and recordings
+    /// (FILE.mcap); none: a world of this program
     #[arg(value_name = "SOURCE")]
     pub sources: Vec<String>,
     /// World that is simulated in this program

@@ -6,7 +6,8 @@ use bica_wire::message::{ExtraKind, RefusalCode, WorldChange};
 use bica_wire::model::{NamedRequest, Plain};
 
 use crate::extras::distance;
-use crate::session::{FARTHEST, Session, Way, logged, next, over_ways, placed, refusal};
+use crate::session::{Session, Way, logged, next, over_ways, placed, refusal};
+use crate::wall::FARTHEST;
 
 const NEAR: [Value; 1] = [Value::F32(1.0)];
 

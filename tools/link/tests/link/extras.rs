@@ -14,10 +14,8 @@ use bica_wire::message::{
 };
 
 use crate::robot::{CART, CartTree};
-use crate::session::{
-    BRICKS, CAMERA, COLOURS, CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, Way, event, is_late, next, over_ways,
-    placed, snapshot,
-};
+use crate::session::{CYCLE_US, Session, Way, event, next, over_ways, placed, snapshot};
+use crate::wall::{BRICKS, CAMERA, COLOURS, HEIGHT, PIXELS, WIDTH, Wall, is_late};
 
 const PAUSE: WorldChange = WorldChange::Pause;
 const CONDITIONS: ExtraKind = ExtraKind::Conditions { component: 0 };

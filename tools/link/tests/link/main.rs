@@ -16,3 +16,4 @@ mod robot;
 mod serial;
 mod session;
 mod stops;
+mod wall;

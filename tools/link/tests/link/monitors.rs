@@ -10,7 +10,8 @@ use bica_wire::message::{Hold, LogSource, Setting, Value};
 
 use crate::faults::cut;
 use crate::robot::{CART, CartTree, DRIVE};
-use crate::session::{CYCLE_US, Session, Wall, Way, event, next, over_ways, snapshot};
+use crate::session::{CYCLE_US, Session, Way, event, next, over_ways, snapshot};
+use crate::wall::Wall;
 
 fn the_description_is_that_of_the_robot_in_its_world(way: Way) {
     let session = Session::start_world(way);
