@@ -26,7 +26,7 @@ pub(crate) const CONTROL_PORT: u16 = 3838;
 /// Port of a `GameController` for status messages.
 pub(crate) const RETURN_PORT: u16 = 3939;
 /// UDP port of the messages of the team with number 0, by the rules.
-const TEAM_PORTS: u16 = 10_000;
+pub(crate) const TEAM_PORTS: u16 = 10_000;
 /// Device files of a NAO V6, top and bottom camera. Source: rUNSWift 2019 `CameraDefinitions.hpp`.
 const DEVICES: &str = "/dev/video-top,/dev/video-bottom";
 /// Value of `--referee` without an address.

@@ -117,11 +117,16 @@ fn identity(args: &Play) -> Result<Identity, Failure> {
 /// Returns the ports and addresses of the player.
 pub(super) fn ports(args: &Play, only: Option<Ipv4Addr>, me: Identity) -> Result<Ports, Failure> {
     let RefereeArgs { control_port: control, return_port: answers, team_ports, broadcast, .. } = args.referee;
-    let team = team_ports.checked_add(me.team.into()).ok_or_else(|| {
-        let what = format!("the port of team {} is {team_ports} + {}, above 65535", me.team, me.team);
-        Failure::new(what, "give a smaller --team-ports")
-    })?;
+    let team = team_port(team_ports, me.team)?;
     Ok(Ports { only, control, answers, team, broadcast })
+}
+
+/// Returns the port of the messages of a team.
+pub(super) fn team_port(base: u16, team: u8) -> Result<u16, Failure> {
+    base.checked_add(team.into()).ok_or_else(|| {
+        let what = format!("the port of team {team} is {base} + {team}, above 65535");
+        Failure::new(what, "give a smaller --team-ports")
+    })
 }
 
 /// Parses the only sender that `--referee=ADDRESS` accepts; `None` accepts any.

@@ -6,7 +6,7 @@ use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
 use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use bica_player::referee::Identity;
+use bica_player::referee::{Identity, Inbox};
 use bica_player::referee::packet::{CONTROL_BYTES, Control, Penalty, PlayState, Status, Team, Version};
 use bica_player::team::{Role, TeamMessage};
 
@@ -192,6 +192,47 @@ fn small_controller_commands_a_player() {
     }
     let lines = BufReader::new(referee.stdout.take().expect("a pipe")).lines();
     assert!(lines.map_while(Result::ok).any(|line| line.contains("team 5 player 3 from 127.0.0.1")));
+    referee.kill().expect("it runs");
+    referee.wait().expect("it ends");
+}
+
+#[test]
+fn small_controller_is_commanded_by_a_monitor() {
+    let robot = UdpSocket::bind("127.0.0.1:0").expect("a socket");
+    robot.set_read_timeout(Some(PATIENCE)).expect("a time-out");
+    let port = |socket: &UdpSocket| socket.local_addr().expect("an address").port().to_string();
+    let (base, mate) = mate();
+    let arguments = ["referee", "--to", "127.0.0.1", "--players", "3", "--serve", "127.0.0.1:0", "--budget", "100"];
+    let ports = ["--control-port", &port(&robot), "--return-port", &free_port().to_string(), "--team-ports", &base];
+    let mut referee = player(&[&arguments[..], &ports].concat());
+    let mut referee = referee.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("the program");
+    let mut lines = BufReader::new(referee.stdout.take().expect("a pipe")).lines().map_while(Result::ok);
+    let address = lines.find_map(|line| Some(line.split_once("attach at ")?.1.to_owned())).expect("an address");
+    let link = |args: &[&str]| assert_eq!(run(&[&["link", &address][..], args].concat()).code, Some(0), "{args:?}");
+    link(&["modulate", "Referee.ready", "Second"]);
+    link(&["modulate", "Referee.penalty", "First", "3", "Pushing"]);
+    mate(1);
+    mate(2);
+    let mut inbox = Inbox::new(5);
+    let mut packet = |wanted: &dyn Fn(&Control) -> bool| {
+        let (mut buffer, start) = ([0; 256], Instant::now());
+        while start.elapsed() < PATIENCE {
+            let length = robot.recv(&mut buffer).expect("packets come");
+            if inbox.take(&buffer[..length]).is_some_and(|control| wanted(&control)) {
+                return;
+            }
+        }
+        panic!("no such packet");
+    };
+    packet(&|control| {
+        let Control { state, kicking_team, teams: [own, other], .. } = control;
+        (*state, *kicking_team, own.players[2].penalty) == (PlayState::Ready, Some(23), Penalty::Pushing)
+            && (own.message_budget, other.message_budget) == (98, 100)
+    });
+    // The stop of any robot, which needs no lease.
+    link(&["stop"]);
+    packet(&|control| control.stopped);
+    assert!(lines.any(|line| line.contains("Ready, stopped")), "commands of a monitor are printed");
     referee.kill().expect("it runs");
     referee.wait().expect("it ends");
 }
@@ -382,6 +423,8 @@ fn wrong_teams_players_and_scripts_are_refused() {
         (play(&["--team", "5", "--match", "--serve", "127.0.0.1:0"]), &["--match", "--serve"]),
         (vec!["referee", "--teams", "5,5"], &["two different numbers"]),
         (vec!["referee", "--players", "21"], &["21"]),
+        (vec!["referee", "--team-ports", "65530"], &["team 23", "smaller --team-ports"]),
+        (vec!["referee", "--serve", "0.0.0.0:0"], &["--listen-anywhere"]),
         (vec!["referee", "--script", &script], &["half.txt:2", "no command `begin`"]),
     ] {
         refused(&args, words);

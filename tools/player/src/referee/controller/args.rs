@@ -4,9 +4,11 @@ use std::net::Ipv4Addr;
 use std::path::PathBuf;
 
 use bica_app::seconds;
+use bica_link::Address;
 use clap::Args;
 
-use crate::cli::{CONTROL_PORT, RETURN_PORT, teams};
+use super::game::BUDGET;
+use crate::cli::{CONTROL_PORT, RETURN_PORT, TEAM_PORTS, teams};
 
 const AFTER: &str = "\
 Commands, one a line, from the terminal or --script:
@@ -42,6 +44,12 @@ pub(crate) struct RefereeCommand {
     /// Port on which status messages arrive
     #[arg(long, value_name = "PORT", default_value_t = RETURN_PORT)]
     pub(crate) return_port: u16,
+    /// UDP port of the messages of the team with number 0; the messages of both teams are counted against their budgets
+    #[arg(long, value_name = "PORT", default_value_t = TEAM_PORTS)]
+    pub(crate) team_ports: u16,
+    /// Messages that each team may send
+    #[arg(long, value_name = "N", default_value_t = BUDGET)]
+    pub(crate) budget: u16,
     /// Version of the packets
     #[arg(long, value_name = "VERSION", default_value_t = 20, value_parser = clap::value_parser!(u8).range(19..=20))]
     pub(crate) packets: u8,
@@ -51,6 +59,12 @@ pub(crate) struct RefereeCommand {
     /// Read the commands from a file; the program ends after the last one
     #[arg(long, value_name = "FILE")]
     pub(crate) script: Option<PathBuf>,
+    /// Serve the game to monitors, which show it and command it: HOST:PORT (port 0: any)
+    #[arg(long, value_name = "ADDR")]
+    pub(crate) serve: Option<Address>,
+    /// Allow an address of --serve that other computers reach; there is no password, whoever reaches it commands the game
+    #[arg(long, requires = "serve")]
+    pub(crate) listen_anywhere: bool,
     /// End after this time, in seconds
     #[arg(long, value_name = "S", value_parser = seconds)]
     pub(crate) seconds: Option<f64>,

@@ -29,7 +29,7 @@ pub(in crate::referee) enum Command {
 }
 
 /// Names of the penalties.
-const PENALTIES: [(&str, Penalty); 14] = [
+pub(super) const PENALTIES: [(&str, Penalty); 14] = [
     ("none", Penalty::None),
     ("illegal-positioning", Penalty::IllegalPositioning),
     ("motion-in-set", Penalty::MotionInSet),
@@ -52,7 +52,7 @@ pub(in crate::referee) fn penalty_name(penalty: Penalty) -> &'static str {
 }
 
 /// Names of the set plays.
-const SET_PLAYS: [(&str, SetPlay); 7] = [
+pub(super) const SET_PLAYS: [(&str, SetPlay); 7] = [
     ("none", SetPlay::None),
     ("direct-free-kick", SetPlay::DirectFreeKick),
     ("indirect-free-kick", SetPlay::IndirectFreeKick),

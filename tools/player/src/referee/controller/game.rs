@@ -15,7 +15,7 @@ const SET_PLAY: f64 = 45.0;
 /// Duration of a penalty, s.
 pub(in crate::referee) const PENALTY: f64 = 30.0;
 /// Message budget of a team in a game.
-const BUDGET: u16 = 12_000;
+pub(super) const BUDGET: u16 = 12_000;
 /// Time between two packets, s.
 const PERIOD: f64 = 0.5;
 /// Period, s, and number of the packets after the game was stopped.
@@ -188,6 +188,12 @@ impl Game {
     /// State of the game.
     pub(in crate::referee) const fn control(&self) -> &Control {
         &self.control
+    }
+
+    /// Returns a value of each of two teams, in the order of their numbers here; the order in the packets changes at half-time.
+    pub(super) fn of_teams<V: Copy + Default>(&self, numbers: [u8; 2], value: impl Fn(&Team) -> V) -> [V; 2] {
+        numbers
+            .map(|number| self.control.index(number).map(|index| value(&self.control.teams[index])).unwrap_or_default())
     }
 
     /// Packet as it is sent: the state playing is shown as set until its delay has passed.

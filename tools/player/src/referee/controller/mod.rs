@@ -2,6 +2,7 @@
 
 mod args;
 mod command;
+mod component;
 mod game;
 mod players;
 mod run;

@@ -17,10 +17,13 @@ struct Player {
 }
 
 /// Players that have answered, by team and number.
-#[derive(Default)]
 pub(super) struct Players(BTreeMap<(u8, u8), Player>);
 
 impl Players {
+    pub(super) const fn new() -> Self {
+        Self(BTreeMap::new())
+    }
+
     /// Stores a message that arrived at time `at`, s; returns a line if the player was unknown or silent before.
     pub(super) fn take(&mut self, status: Status, address: Ipv4Addr, at: f64) -> Option<String> {
         let key = (status.team, status.player);
@@ -37,6 +40,11 @@ impl Players {
                 format!("{} is silent", name(*key))
             })
             .collect()
+    }
+
+    /// Number of the players that are not silent.
+    pub(super) fn answering(&self) -> usize {
+        self.0.values().filter(|player| !player.is_silent).count()
     }
 
     /// Returns a line for each player.
@@ -68,7 +76,7 @@ mod tests {
 
     #[test]
     fn first_and_missing_messages_are_told_once() {
-        let mut players = Players::default();
+        let mut players = Players::new();
         let status = Status { team: 5, player: 2, ..Status::default() };
         let take = |players: &mut Players, at| players.take(status, Ipv4Addr::LOCALHOST, at);
         assert_eq!(take(&mut players, 1.0).as_deref(), Some("team 5 player 2 from 127.0.0.1"));
