@@ -81,7 +81,7 @@ class Program:
         Raises ProgramError with the program's message.
         """
         code, out, err = _run([str(self.path), *arguments, "--json"], timeout)
-        if code in RESULT_CODES and out:
+        if code in RESULT_CODES and (out or not err):
             try:
                 return json.loads(out)
             except ValueError as error:

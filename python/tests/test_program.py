@@ -40,6 +40,11 @@ def test_a_missing_program_is_named() -> None:
         bica.play(program="/nowhere/player")
 
 
+def test_a_program_without_json_is_named() -> None:
+    with pytest.raises(ProgramError, match="true printed no JSON"):
+        bica.play(program="/bin/true")
+
+
 def test_a_program_that_takes_too_long_is_killed(robot: Program) -> None:
     with pytest.raises(ProgramError, match=r"more than 0\.5 s"):
         bica.play(arguments=["--slow", "987"], timeout=0.5, program=robot)

@@ -52,3 +52,14 @@ def test_a_wrong_entry_is_named(study_file: StudyFile, old: str, new: str, messa
         path = study_file((old, new))
     with pytest.raises(StudyError, match=message):
         read_study(path)
+
+
+def test_texts_of_other_editors_are_read_or_named(study_file: StudyFile) -> None:
+    path = study_file()
+    text = path.read_text()
+    path.write_bytes(text.encode("utf-8-sig"))
+    assert read_study(path).parameters
+    for odd in [text.encode("utf-16"), f"# größe\n{text}".encode("latin-1"), text.replace('"', "“").encode()]:
+        path.write_bytes(odd)
+        with pytest.raises(StudyError, match=r"(?s)cannot read.*UTF-8, with straight quotes"):
+            read_study(path)

@@ -61,7 +61,7 @@ class RecordingFile:
         return json.loads(text)
 
     def _damaged(self, why: object) -> RecordingError:
-        what = f"`{self.path}` is cut, damaged or no MCAP file: {why}"
+        what = f"`{self.path}` is cut, damaged or no MCAP file: {str(why) or 'it ends too early'}"
         return RecordingError(f"{what}\n  help: `player record recover {self.path} whole.mcap` may mend it")
 
     def schema(self, channel: str) -> Any:

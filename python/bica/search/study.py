@@ -184,9 +184,12 @@ class Study:
 def read_study(path: Path, program: str | None = None) -> Study:
     """Read a study file; raises StudyError, naming the entry that is wrong."""
     try:
-        return Study(_File.model_validate(tomllib.loads(path.read_text())), path, program)
-    except (OSError, tomllib.TOMLDecodeError) as error:
+        return Study(_File.model_validate(tomllib.loads(path.read_text(encoding="utf-8-sig"))), path, program)
+    except OSError as error:
         raise StudyError(f"cannot read `{path}`: {error}") from None
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        remedy = "a study is TOML: save it as UTF-8, with straight quotes"
+        raise StudyError(f"cannot read `{path}`: {error}\n  help: {remedy}") from None
     except ValidationError as error:
         lines = [f"`{'.'.join(map(str, each['loc']))}` is wrong: {each['msg']}" for each in error.errors()]
         raise StudyError("\n".join([f"{path}:", *lines, "  help: docs/search.md lists all entries"])) from None
