@@ -2,7 +2,7 @@
 //!
 //! `cargo run --example operator`
 
-use bica::info::{InfoSink, Information};
+use bica::output::{OutputSink, OutputType};
 use bica::prelude::*;
 use bica::runner::{OwnedRequest, Request, RequestQueue};
 
@@ -90,17 +90,17 @@ impl World<Cart> for Clock {
 /// Prints values as JSON; a link would serialise them in another format.
 struct Print;
 
-impl InfoSink for Print {
-    fn take<V: Information>(&mut self, value: &V) {
+impl OutputSink for Print {
+    fn take<V: OutputType>(&mut self, value: &V) {
         println!("{}", serde_json::to_string(value).unwrap_or_else(|error| error.to_string()));
     }
 }
 
-fn print_information(cart: &Cart) {
+fn print_outputs(cart: &Cart) {
     for node in Cart::GRAPH.nodes {
-        for info in node.info {
-            print!("     {}.{} ({}, {}) = ", node.name, info.name, info.ty, info.unit.unwrap_or("no unit"));
-            cart.read_info(node.name, info.name, &mut Print);
+        for output in node.outputs {
+            print!("     {}.{} ({}, {}) = ", node.name, output.name, output.ty, output.unit.unwrap_or("no unit"));
+            cart.read_output(node.name, output.name, &mut Print);
         }
     }
 }
@@ -139,7 +139,7 @@ fn main() -> Result<(), Refusal> {
         for refusal in runner.requests_mut().take_answers().into_iter().filter_map(Result::err) {
             println!("     refused: {refusal}");
         }
-        print_information(runner.robot());
+        print_outputs(runner.robot());
     }
     Ok(())
 }

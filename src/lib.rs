@@ -65,7 +65,7 @@ pub use bica_core::__private;
 pub use bica_core::{
     Age, Axis, Blob, Component, ComponentId, Duration, End, Fills, Format, Found, Graph, Handle, Has, Hint, Hold,
     Instant, JobEnd, Key, Outcome, ParamEnum, Params, ParamsOf, Place, Probe, Rate, Refusal, Setting, Status,
-    Stopwatch, Time, Tree, Tuned, Value, Work, action, graph, info, modulation, params, probe, rate, refusal,
+    Stopwatch, Time, Tree, Tuned, Value, Work, action, graph, modulation, output, params, probe, rate, refusal,
     stopwatch, visual, work,
 };
 #[doc(hidden)]

@@ -5,14 +5,14 @@
 /// A message contains it as any other field. What sends or stores messages takes the bytes out and transfers them separately:
 /// `bica_wire::blobs`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(any(feature = "info", feature = "wire"), derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(any(feature = "output", feature = "wire"), derive(serde::Serialize, serde::Deserialize))]
 pub struct Blob<'a> {
     /// The data; empty if it was lost on its way.
     // Before its format, so that who takes the bytes out of the message finds the format where they were.
-    #[cfg_attr(any(feature = "info", feature = "wire"), serde(serialize_with = "impls::as_bytes"))]
+    #[cfg_attr(any(feature = "output", feature = "wire"), serde(serialize_with = "impls::as_bytes"))]
     pub bytes: &'a [u8],
     /// Format of the data.
-    #[cfg_attr(any(feature = "info", feature = "wire"), serde(borrow))]
+    #[cfg_attr(any(feature = "output", feature = "wire"), serde(borrow))]
     pub format: Format<'a>,
     /// Name of the coordinate frame in which it was measured, such as `top_camera`.
     pub frame: &'a str,
@@ -21,7 +21,7 @@ pub struct Blob<'a> {
 /// Format of large data. Images have rows from the top, without padding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(
-    any(feature = "info", feature = "wire"),
+    any(feature = "output", feature = "wire"),
     derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema)
 )]
 pub enum Format<'a> {
@@ -53,12 +53,12 @@ pub enum Format<'a> {
     /// Any other format.
     Other {
         /// MIME type, such as `application/x-scan`.
-        #[cfg_attr(any(feature = "info", feature = "wire"), serde(borrow))]
+        #[cfg_attr(any(feature = "output", feature = "wire"), serde(borrow))]
         media_type: &'a str,
     },
 }
 
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
 mod impls {
     use postcard_schema::Schema;
     use postcard_schema::schema::{DataModelType, NamedType, NamedValue};
@@ -84,7 +84,7 @@ mod impls {
 
 /// Derives what a type of outputs, sensor values or commands needs, with the attributes in the first braces, for the item in the second;
 /// the fourth braces have the items beside it.
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __data {
@@ -101,7 +101,7 @@ macro_rules! __data {
 }
 
 /// Leaves the item as it is.
-#[cfg(not(any(feature = "info", feature = "wire")))]
+#[cfg(not(any(feature = "output", feature = "wire")))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __data {

@@ -21,7 +21,7 @@ mod wording;
 mod worst_case;
 mod writers;
 
-pub use frames::Output;
+pub use frames::OutputIndex;
 pub use message::message;
 pub use order::{activators, cycle, ranks};
 #[doc(hidden)]

@@ -3,8 +3,8 @@
 use embassy_time::{Duration, Instant, TICK_HZ};
 
 use crate::graph::{InForce, State, WorkFunction};
-use crate::info::Info;
 use crate::modulation::Modulation;
+use crate::output::Output;
 use crate::params::{ParamGroup, Value};
 use crate::role::RoleName;
 use crate::work::WorkSlot;
@@ -44,7 +44,7 @@ pub trait Component: Sized + 'static {
     /// Description of the parameters, one group for each struct.
     const PARAMS: &'static [ParamGroup] = &[];
     /// The outputs: getters with `#[output]`.
-    const INFO: &'static [Info] = &[];
+    const OUTPUTS: &'static [Output] = &[];
     /// The modulations that an operator may call: methods with `#[modulation]`.
     const MODULATIONS: &'static [Modulation] = &[];
     /// The function that runs beside the loop.

@@ -7,9 +7,9 @@ pub use doc::Doc;
 pub use hash::hash;
 
 use crate::id::ComponentId;
-use crate::info::Info;
 use crate::key::Key;
 use crate::modulation::Modulation;
+use crate::output::Output;
 use crate::params::{Param, ParamGroup};
 
 /// Description of a tree of components: all that is known before it runs.
@@ -87,7 +87,7 @@ pub struct Node {
     /// The parameters, one group for each struct. A [`Setting`](crate::Setting) counts them through all groups.
     pub params: &'static [ParamGroup],
     /// The outputs: what an operator may look at.
-    pub info: &'static [Info],
+    pub outputs: &'static [Output],
     /// The modulations: what an operator may call.
     pub modulations: &'static [Modulation],
     /// The function that runs beside the loop.
@@ -119,7 +119,7 @@ impl Node {
             transitions: &[],
             takes_outcomes: false,
             params: &[],
-            info: &[],
+            outputs: &[],
             modulations: &[],
             work: None,
         }
@@ -145,11 +145,11 @@ impl Node {
         params().nth(index).map(|param| (index, param))
     }
 
-    /// Returns the output with this key, and its index in [`info`](Self::info).
+    /// Returns the output with this key, and its index in [`outputs`](Self::outputs).
     #[must_use]
-    pub fn find_info(&self, output: impl Key) -> Option<(usize, &'static Info)> {
-        let index = output.find(self.info.iter().map(|info| info.name))?;
-        self.info.get(index).map(|info| (index, info))
+    pub fn find_output(&self, output: impl Key) -> Option<(usize, &'static Output)> {
+        let index = output.find(self.outputs.iter().map(|output| output.name))?;
+        self.outputs.get(index).map(|output| (index, output))
     }
 
     /// Returns the modulation with this key, and its index in [`modulations`](Self::modulations).

@@ -1,8 +1,8 @@
 //! Types with `#[data]`. What a field of one of them lacks is reported at the field, and nowhere where the type is used.
 
-#[cfg(any(feature = "info", feature = "wire"))]
-use crate::info::Part;
-use crate::info::{InfoSink, Information};
+#[cfg(any(feature = "output", feature = "wire"))]
+use crate::output::Part;
+use crate::output::{OutputSink, OutputType};
 
 /// A type with `#[data]`, or an option or array of it.
 #[diagnostic::on_unimplemented(
@@ -21,9 +21,9 @@ impl<V: Marked, const N: usize> Marked for [V; N] {}
 /// Value of an output, or a type alone. A method of its own precedes one of [`Unfit`], if its bound holds.
 pub struct Of<V>(pub V);
 
-impl<V: Information> Of<&V> {
+impl<V: OutputType> Of<&V> {
     /// Hands the value over.
-    pub fn give<S: InfoSink>(self, sink: &mut S) {
+    pub fn give<S: OutputSink>(self, sink: &mut S) {
         sink.take(self.0);
     }
 }
@@ -39,7 +39,7 @@ pub trait Unfit {
     type Type;
 
     /// Hands over nothing.
-    fn give<S: InfoSink>(self, sink: &mut S)
+    fn give<S: OutputSink>(self, sink: &mut S)
     where
         Self::Type: Marked;
 }
@@ -47,7 +47,7 @@ pub trait Unfit {
 impl<V> Unfit for Of<&V> {
     type Type = V;
 
-    fn give<S: InfoSink>(self, _: &mut S)
+    fn give<S: OutputSink>(self, _: &mut S)
     where
         V: Marked,
     {
@@ -55,7 +55,7 @@ impl<V> Unfit for Of<&V> {
 }
 
 /// Accepts a type that can be a part of one with `#[data]`.
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
 pub trait Unmarked {
     /// The type.
     type Type;
@@ -68,7 +68,7 @@ pub trait Unmarked {
     }
 }
 
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
 impl<V> Unmarked for Of<V> {
     type Type = V;
 }

@@ -7,9 +7,9 @@ pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
 pub use crate::found::Found;
 pub use crate::graph::{Doc, End, Graph, InForce, Link, LinkKind, Node, Roles, State, Transition, When, WorkFunction};
-pub use crate::info::{Info, InfoSink};
 pub use crate::marked::{Marked, Of, Unfit};
 pub use crate::modulation::{Modulation, assert_arguments};
+pub use crate::output::{Output, OutputSink};
 pub use crate::params::Timer;
 pub use crate::params::{
     Kind, Param, ParamEnum, ParamGroup, Params, Tuned, Value, Variant, assert_default, assert_distinct_names,
@@ -36,16 +36,16 @@ pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};
 pub use crate::visual::{Frame, Placement, Visual};
 pub use crate::work::{Jobs, Work, WorkCell, WorkOf, WorkSlot, Working};
 
-#[cfg(any(feature = "info", feature = "wire"))]
-pub use crate::info::Element;
-#[cfg(any(feature = "info", feature = "wire"))]
-pub use crate::info::Part;
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
 pub use crate::marked::Unmarked;
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
+pub use crate::output::Element;
+#[cfg(any(feature = "output", feature = "wire"))]
+pub use crate::output::Part;
+#[cfg(any(feature = "output", feature = "wire"))]
 #[path = "long_array.rs"]
 pub mod long_array;
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
 pub use {postcard_schema, serde};
 
 /// Returns a doc comment; nothing with the feature `terse`.
@@ -55,7 +55,7 @@ pub const fn doc(text: &'static str) -> &'static str {
 }
 
 /// Accepts a type that can be an element of a long array in one with `#[data]`.
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
 pub const fn element<V: Element>() {}
 
 /// Placement of an output of type `V`.

@@ -7,8 +7,8 @@ use embassy_time::Instant;
 use crate::graph::{self, Graph};
 use crate::hold::Hold;
 use crate::id::ComponentId;
-use crate::info::InfoSink;
 use crate::key::Key;
+use crate::output::OutputSink;
 use crate::params::{Setting, Value};
 use crate::probe::Probe;
 use crate::rate::Rate;
@@ -205,9 +205,9 @@ pub trait Tree: Layout {
         tuning::set(self, batch)
     }
 
-    /// Passes an output of [`Node::info`](crate::graph::Node::info) to `sink`; returns whether it exists. The getter is
+    /// Passes an output of [`Node::outputs`](crate::graph::Node::outputs) to `sink`; returns whether it exists. The getter is
     /// called only now.
-    fn read_info(&self, component: impl Key, output: impl Key, sink: &mut impl InfoSink) -> bool {
+    fn read_output(&self, component: impl Key, output: impl Key, sink: &mut impl OutputSink) -> bool {
         operate::read(self, component, output, sink)
     }
 

@@ -88,7 +88,7 @@ enum List {
     States,
     Transitions,
     Params,
-    Info,
+    Outputs,
     Modulations,
     End,
 }
@@ -102,8 +102,8 @@ impl List {
             Self::Links => Self::States,
             Self::States => Self::Transitions,
             Self::Transitions => Self::Params,
-            Self::Params => Self::Info,
-            Self::Info => Self::Modulations,
+            Self::Params => Self::Outputs,
+            Self::Outputs => Self::Modulations,
             Self::End => Self::End,
         }
     }
@@ -279,12 +279,12 @@ impl GraphItems<'_> {
                 let (kind, default) = self.begin_param(param);
                 GraphItem::Param { component, index, group, name: param.name, unit: param.unit, kind, default }
             }
-            List::Info => {
-                let info = node.info.get(self.index)?;
-                self.doc = info.doc.text();
-                let type_name = truncate(info.ty, TYPE_BYTES);
-                let placement = info.placement.copied();
-                GraphItem::Info { component, index, name: info.name, unit: info.unit, type_name, placement }
+            List::Outputs => {
+                let output = node.outputs.get(self.index)?;
+                self.doc = output.doc.text();
+                let type_name = truncate(output.ty, TYPE_BYTES);
+                let placement = output.placement.copied();
+                GraphItem::Output { component, index, name: output.name, unit: output.unit, type_name, placement }
             }
             List::Modulations => {
                 let modulation = node.modulations.get(self.index)?;

@@ -3,7 +3,7 @@
 use bica_core::Tree;
 use bica_core::graph::Node;
 #[cfg(feature = "std")]
-use bica_core::info::{InfoSink, Information};
+use bica_core::output::{OutputSink, OutputType};
 use heapless::Vec;
 #[cfg(feature = "std")]
 use postcard_schema::schema::NamedType;
@@ -54,12 +54,12 @@ pub fn params<T: Tree>(tree: &T, cycle: u64, component: u16, first: u16) -> Opti
 #[must_use]
 pub fn schema<T: Tree>(tree: &T, component: usize, index: usize) -> Option<&'static NamedType> {
     struct SchemaOf(Option<&'static NamedType>);
-    impl InfoSink for SchemaOf {
-        fn take<V: Information>(&mut self, _value: &V) {
+    impl OutputSink for SchemaOf {
+        fn take<V: OutputType>(&mut self, _value: &V) {
             self.0 = Some(V::SCHEMA);
         }
     }
     let mut schema = SchemaOf(None);
-    tree.read_info(component, index, &mut schema);
+    tree.read_output(component, index, &mut schema);
     schema.0
 }

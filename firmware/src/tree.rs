@@ -24,7 +24,7 @@ static NODES: [Node; Forward::COUNT] = {
     let mut nodes = [Node::new(""); Forward::COUNT];
     let mut index = 0;
     while index < nodes.len() {
-        nodes[index] = Node { params: &[], info: &[], modulations: &[], ..Forward::GRAPH.nodes[index] };
+        nodes[index] = Node { params: &[], outputs: &[], modulations: &[], ..Forward::GRAPH.nodes[index] };
         index += 1;
     }
     nodes

@@ -17,7 +17,6 @@
 
 pub mod behaviour;
 mod forward;
-pub mod info;
 pub mod input;
 #[cfg(feature = "league")]
 pub mod league;
@@ -29,6 +28,7 @@ pub mod perception;
 pub mod referee;
 pub mod robot;
 pub mod roles;
+pub mod shapes;
 pub mod strategy;
 #[cfg(feature = "referee")]
 pub mod team;

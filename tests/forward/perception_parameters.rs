@@ -4,7 +4,7 @@ use std::f32::consts::PI;
 use std::fmt::Debug;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use bica::info::{InfoSink, Information};
+use bica::output::{OutputSink, OutputType};
 use bica::params::{Kind, Param, Setting, Value};
 use bica::prelude::*;
 use bica::runner::{Robot, Runner};
@@ -223,8 +223,8 @@ fn components() -> [ComponentId; 16] {
 /// Counter of values.
 struct Count(usize);
 
-impl InfoSink for Count {
-    fn take<V: Information>(&mut self, _: &V) {
+impl OutputSink for Count {
+    fn take<V: OutputType>(&mut self, _: &V) {
         self.0 += 1;
     }
 }
@@ -237,8 +237,8 @@ fn each_component_of_perception_has_outputs() {
     for component in components() {
         let node = &Forward::GRAPH.nodes[component.index()];
         let mut count = Count(0);
-        let is_read = (0..node.info.len()).all(|index| robot.read_info(component, index, &mut count));
-        assert!(is_read && count.0 == node.info.len() && count.0 > 0, "{}: {} values", node.name, count.0);
+        let is_read = (0..node.outputs.len()).all(|index| robot.read_output(component, index, &mut count));
+        assert!(is_read && count.0 == node.outputs.len() && count.0 > 0, "{}: {} values", node.name, count.0);
     }
 }
 

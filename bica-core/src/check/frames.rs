@@ -1,21 +1,21 @@
 //! The frames that outputs place in each other: each has one place, and none lies in itself.
 
 use crate::graph::Graph;
-use crate::info::Info;
+use crate::output::Output;
 use crate::params::declare::equal;
 
 /// An output: index of its component, and its index among the outputs of the component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Output(
+pub struct OutputIndex(
     /// Index of the component.
     pub usize,
     /// Index of the output.
     pub usize,
 );
 
-impl Output {
-    pub(super) const fn of(&self, graph: &Graph) -> &'static Info {
-        &graph.nodes[self.0].info[self.1]
+impl OutputIndex {
+    pub(super) const fn of(&self, graph: &Graph) -> &'static Output {
+        &graph.nodes[self.0].outputs[self.1]
     }
 
     pub(super) const fn frame(&self, graph: &Graph) -> Option<&'static str> {
@@ -39,11 +39,11 @@ impl Output {
 }
 
 /// Returns the first output from `from` that is the place of a frame, of `wanted` if it is given.
-const fn place(graph: &Graph, wanted: Option<&str>, from: Output) -> Option<Output> {
+const fn place(graph: &Graph, wanted: Option<&str>, from: OutputIndex) -> Option<OutputIndex> {
     let mut output = from;
     while output.0 < graph.nodes.len() {
-        if output.1 >= graph.nodes[output.0].info.len() {
-            output = Output(output.0 + 1, 0);
+        if output.1 >= graph.nodes[output.0].outputs.len() {
+            output = OutputIndex(output.0 + 1, 0);
             continue;
         }
         match (output.child(graph), wanted) {
@@ -56,8 +56,8 @@ const fn place(graph: &Graph, wanted: Option<&str>, from: Output) -> Option<Outp
 }
 
 /// Returns two outputs that are the place of one frame.
-pub(super) const fn two_places(graph: &Graph) -> Option<(Output, Output)> {
-    let mut at = place(graph, None, Output(0, 0));
+pub(super) const fn two_places(graph: &Graph) -> Option<(OutputIndex, OutputIndex)> {
+    let mut at = place(graph, None, OutputIndex(0, 0));
     while let Some(first) = at {
         if let Some(second) = place(graph, first.child(graph), first.next()) {
             return Some((first, second));
@@ -68,18 +68,18 @@ pub(super) const fn two_places(graph: &Graph) -> Option<(Output, Output)> {
 }
 
 /// Returns the output that places the frame in which the value of this one is given.
-pub(super) const fn parent(graph: &Graph, output: Output) -> Option<Output> {
-    place(graph, output.frame(graph), Output(0, 0))
+pub(super) const fn parent(graph: &Graph, output: OutputIndex) -> Option<OutputIndex> {
+    place(graph, output.frame(graph), OutputIndex(0, 0))
 }
 
 /// Returns the first output whose frame lies in itself. Each frame must have one place.
-pub(super) const fn frame_cycle(graph: &Graph) -> Option<Output> {
-    let (mut at, mut frames) = (place(graph, None, Output(0, 0)), 0_usize);
+pub(super) const fn frame_cycle(graph: &Graph) -> Option<OutputIndex> {
+    let (mut at, mut frames) = (place(graph, None, OutputIndex(0, 0)), 0_usize);
     while let Some(first) = at {
         frames += 1;
         at = place(graph, None, first.next());
     }
-    at = place(graph, None, Output(0, 0));
+    at = place(graph, None, OutputIndex(0, 0));
     while let Some(first) = at {
         let (mut here, mut steps) = (parent(graph, first), 0);
         while let Some(reached) = here {

@@ -5,7 +5,7 @@ use super::sum_message::{over_budget, overload, situation};
 use super::wording::{Message, push_given, words};
 use super::worst_case::leading_to;
 use super::writers::meeting;
-use super::{CAPACITY, Choice, Number, Output, Path, Violation, WorstCase, Writers};
+use super::{CAPACITY, Choice, Number, OutputIndex, Path, Violation, WorstCase, Writers};
 use crate::graph::{Graph, Node};
 
 /// Returns the message for a violation, in one line.
@@ -138,11 +138,11 @@ const fn unordered(text: &mut Message, graph: &Graph, index: usize, writers: &Wr
 }
 
 /// The output, as `Localization.robot_pose`.
-const fn output(text: &mut Message, graph: &Graph, output: Output) {
+const fn output(text: &mut Message, graph: &Graph, output: OutputIndex) {
     words(text, &["`", graph.nodes[output.0].name, ".", output.of(graph).name, "`"]);
 }
 
-const fn two_places(text: &mut Message, graph: &Graph, first: Output, second: Output) {
+const fn two_places(text: &mut Message, graph: &Graph, first: OutputIndex, second: OutputIndex) {
     output(text, graph, first);
     text.push(" and ");
     output(text, graph, second);
@@ -154,7 +154,7 @@ const fn two_places(text: &mut Message, graph: &Graph, first: Output, second: Ou
     }
 }
 
-const fn frame_cycle(text: &mut Message, graph: &Graph, first: Output) {
+const fn frame_cycle(text: &mut Message, graph: &Graph, first: OutputIndex) {
     text.push("frame cycle: ");
     let mut at = Some(first);
     while let Some(here) = at {

@@ -3,7 +3,7 @@
 use super::frames::{frame_cycle, two_places};
 use super::weight::hz;
 use super::writers::unordered;
-use super::{CAPACITY, Output, Path, WorstCase, cycle, load, longest_chain, steps, unreachable};
+use super::{CAPACITY, OutputIndex, Path, WorstCase, cycle, load, longest_chain, steps, unreachable};
 use crate::graph::{Graph, Node};
 
 /// A broken rule.
@@ -29,9 +29,9 @@ pub enum Violation {
     /// [`writers()`](super::writers()).
     Unordered(usize),
     /// Two outputs that are the place of one frame.
-    TwoPlaces(Output, Output),
+    TwoPlaces(OutputIndex, OutputIndex),
     /// An output that places a frame in itself, directly or by other frames.
-    FrameCycle(Output),
+    FrameCycle(OutputIndex),
 }
 
 /// A number of the declaration.

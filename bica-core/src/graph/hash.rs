@@ -91,11 +91,11 @@ const fn params(mut hash: Fnv, node: &Node) -> Fnv {
 }
 
 const fn operator(mut hash: Fnv, node: &Node) -> Fnv {
-    hash = hash.number(node.info.len() as u64);
+    hash = hash.number(node.outputs.len() as u64);
     let mut index = 0;
-    while index < node.info.len() {
-        let info = node.info[index];
-        hash = unit(hash.text(info.name).text(info.ty), info.unit);
+    while index < node.outputs.len() {
+        let output = node.outputs[index];
+        hash = unit(hash.text(output.name).text(output.ty), output.unit);
         index += 1;
     }
     hash = hash.number(node.modulations.len() as u64);

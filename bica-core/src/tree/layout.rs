@@ -9,7 +9,7 @@ use super::plan::Plans;
 use super::written::WrittenLink;
 use crate::component::Component;
 use crate::graph::Node;
-use crate::info::InfoSink;
+use crate::output::OutputSink;
 use crate::params::Value;
 use crate::probe::Probe;
 use crate::work::WorkOf;
@@ -132,7 +132,7 @@ pub trait MemberOf<T: Layout, B = <Self as Component>::Block>: Component {
     fn stop<P: Probe>(_: &mut Cycle<'_, T, P>) {}
 
     /// Passes the output at `index` to `sink`; returns whether it exists.
-    fn read_info<S: InfoSink>(_tree: &T, _index: usize, _sink: &mut S) -> bool {
+    fn read_output<S: OutputSink>(_tree: &T, _index: usize, _sink: &mut S) -> bool {
         false
     }
 

@@ -4,8 +4,8 @@ use super::Tree;
 use super::layout::{Has, Member, MemberOf};
 use super::tuning::refused;
 use crate::id::ComponentId;
-use crate::info::InfoSink;
 use crate::key::Key;
+use crate::output::OutputSink;
 use crate::params::Value;
 use crate::refusal::{Reason, Refusal};
 
@@ -15,21 +15,21 @@ struct Read<'a, T, S> {
     sink: &'a mut S,
 }
 
-impl<T: Tree, S: InfoSink> Member<T> for Read<'_, T, S> {
+impl<T: Tree, S: OutputSink> Member<T> for Read<'_, T, S> {
     type Output = bool;
 
     fn visit<C: 'static>(self) -> bool
     where
         T: Has<C>,
     {
-        <T::Member as MemberOf<T>>::read_info(self.tree, self.index, self.sink)
+        <T::Member as MemberOf<T>>::read_output(self.tree, self.index, self.sink)
     }
 }
 
 /// Passes an output to `sink`; returns whether it exists.
-pub(super) fn read<T: Tree>(tree: &T, component: impl Key, output: impl Key, sink: &mut impl InfoSink) -> bool {
+pub(super) fn read<T: Tree>(tree: &T, component: impl Key, output: impl Key, sink: &mut impl OutputSink) -> bool {
     let found = T::GRAPH.find(component).and_then(|component| {
-        let (index, _) = T::GRAPH.nodes[component.index()].find_info(output)?;
+        let (index, _) = T::GRAPH.nodes[component.index()].find_output(output)?;
         T::member(component.index(), Read { tree, index, sink })
     });
     found.unwrap_or(false)

@@ -4,7 +4,7 @@ use super::{Point3, Quaternion};
 
 /// Positions of joints: arrays, or [`List`](super::List)s, of names and of numbers. A name is a value of an enum, or a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Joints<Names, Positions> {
     /// The joints.
     pub names: Names,
@@ -14,7 +14,7 @@ pub struct Joints<Names, Positions> {
 
 /// Values of an inertial unit, along the axes of its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Imu {
     /// Turn rate, rad/s.
     pub angular_velocity: Point3,

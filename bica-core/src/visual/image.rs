@@ -4,7 +4,7 @@ use super::List;
 
 /// Point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct ImagePoint {
     /// Column.
     pub x: f32,
@@ -14,7 +14,7 @@ pub struct ImagePoint {
 
 /// Circle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct ImageCircle {
     /// Column of the centre.
     pub x: f32,
@@ -26,7 +26,7 @@ pub struct ImageCircle {
 
 /// Line segment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct ImageSegment {
     /// One end.
     pub start: ImagePoint,
@@ -36,7 +36,7 @@ pub struct ImageSegment {
 
 /// Points joined by lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct ImagePolyline<const N: usize> {
     /// The points in order.
     pub points: List<ImagePoint, N>,
@@ -44,7 +44,7 @@ pub struct ImagePolyline<const N: usize> {
 
 /// Intrinsic parameters of a camera: its frame looks along x, with y left and z up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct CameraCalibration {
     /// Focal length, in columns.
     pub focal_x: f32,

@@ -35,14 +35,14 @@ impl<V: PartialEq, const N: usize> PartialEq for List<V, N> {
     }
 }
 
-#[cfg(feature = "info")]
+#[cfg(feature = "output")]
 impl<V: serde::Serialize, const N: usize> serde::Serialize for List<V, N> {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         (**self).serialize(serializer)
     }
 }
 
-#[cfg(feature = "info")]
+#[cfg(feature = "output")]
 impl<V: postcard_schema::Schema, const N: usize> postcard_schema::Schema for List<V, N> {
     const SCHEMA: &'static postcard_schema::schema::NamedType = <[V]>::SCHEMA;
 }

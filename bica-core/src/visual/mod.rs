@@ -33,7 +33,7 @@
 //!
 //! activation_tree! { pub struct Robot { root: Odometry, cycle_hz: 100, components: [Odometry], crate: bica_core } }
 //!
-//! let obstacle = Robot::GRAPH.nodes[0].info[1].placement.expect("it has a frame");
+//! let obstacle = Robot::GRAPH.nodes[0].outputs[1].placement.expect("it has a frame");
 //! assert_eq!((obstacle.shape, obstacle.frame, obstacle.child), ("Point2", "robot", None));
 //! ```
 

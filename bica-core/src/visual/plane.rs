@@ -4,7 +4,7 @@ use super::List;
 
 /// Point or vector.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Point2 {
     /// First coordinate, m unless the getter states another unit.
     pub x: f32,
@@ -14,7 +14,7 @@ pub struct Point2 {
 
 /// Pose.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Pose2 {
     /// Position along x, m.
     pub x: f32,
@@ -26,7 +26,7 @@ pub struct Pose2 {
 
 /// Uncertain point: its covariance is drawn as the ellipse of one standard deviation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Ellipse {
     /// Position along x, m.
     pub x: f32,
@@ -42,7 +42,7 @@ pub struct Ellipse {
 
 /// Uncertain pose: drawn as a pose with the ellipse of one standard deviation of its position.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct PoseWithCovariance2 {
     /// Position along x, m.
     pub x: f32,
@@ -66,7 +66,7 @@ pub struct PoseWithCovariance2 {
 
 /// Circle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Circle {
     /// Position of the centre along x, m.
     pub x: f32,
@@ -78,7 +78,7 @@ pub struct Circle {
 
 /// Rectangle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Rectangle {
     /// Position of the centre along x, m.
     pub x: f32,
@@ -94,7 +94,7 @@ pub struct Rectangle {
 
 /// Line segment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Segment {
     /// One end.
     pub start: Point2,
@@ -104,7 +104,7 @@ pub struct Segment {
 
 /// Points joined by lines, such as a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Polyline<const N: usize> {
     /// The points in order.
     pub points: List<Point2, N>,

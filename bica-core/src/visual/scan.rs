@@ -4,7 +4,7 @@ use super::List;
 
 /// Distances that a lidar measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Scan<const N: usize> {
     /// Angle of the first ray, rad, counter-clockwise from x.
     pub angle_min: f32,

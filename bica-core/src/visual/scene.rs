@@ -1,10 +1,10 @@
 //! What a world shows to people beside the outputs of its robot: its scenery and its true state.
 
-#[cfg(feature = "info")]
+#[cfg(feature = "output")]
 use postcard_schema::schema::NamedType;
 
 use super::Visual;
-use crate::info::Information;
+use crate::output::OutputType;
 
 /// Declaration of something that a world shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,35 +54,35 @@ pub trait Shape {
     fn name(&self) -> &'static str;
 
     /// Schema of the value.
-    #[cfg(feature = "info")]
+    #[cfg(feature = "output")]
     fn schema(&self) -> &'static NamedType;
 
     /// Passes the value in postcard's format on, in parts; returns whether it could be encoded.
-    #[cfg(feature = "info")]
+    #[cfg(feature = "output")]
     fn encode(&self, bytes: &mut dyn FnMut(&[u8])) -> bool;
 }
 
-impl<V: Visual + Information> Shape for V {
+impl<V: Visual + OutputType> Shape for V {
     fn name(&self) -> &'static str {
         V::NAME
     }
 
-    #[cfg(feature = "info")]
+    #[cfg(feature = "output")]
     fn schema(&self) -> &'static NamedType {
         V::SCHEMA
     }
 
-    #[cfg(feature = "info")]
+    #[cfg(feature = "output")]
     fn encode(&self, bytes: &mut dyn FnMut(&[u8])) -> bool {
         postcard::serialize_with_flavor(self, Parts(bytes)).is_ok()
     }
 }
 
 /// Passes encoded bytes on.
-#[cfg(feature = "info")]
+#[cfg(feature = "output")]
 struct Parts<'a>(&'a mut dyn FnMut(&[u8]));
 
-#[cfg(feature = "info")]
+#[cfg(feature = "output")]
 impl postcard::ser_flavors::Flavor for Parts<'_> {
     type Output = ();
 

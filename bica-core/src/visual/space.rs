@@ -2,7 +2,7 @@
 
 /// Point or vector.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Point3 {
     /// First coordinate, m unless the getter states another unit.
     pub x: f32,
@@ -14,7 +14,7 @@ pub struct Point3 {
 
 /// Rotation, a unit quaternion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Quaternion {
     /// Component of i.
     pub x: f32,
@@ -28,7 +28,7 @@ pub struct Quaternion {
 
 /// Pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "output", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Pose3 {
     /// Position, m.
     pub position: Point3,

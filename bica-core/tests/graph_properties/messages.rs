@@ -2,7 +2,7 @@
 
 use bica_core::check::{check, first_violation, message};
 use bica_core::graph::{Doc, Graph, Node, State};
-use bica_core::info::Info;
+use bica_core::output::Output;
 use bica_core::visual::Placement;
 
 use crate::graph_properties::build::{graph, in_state, node, state, to, transition};
@@ -133,20 +133,20 @@ fn too_many() {
     );
 }
 
-const fn pose(name: &'static str, placement: &'static Placement<'static>) -> Info {
-    Info { name, doc: Doc::new(""), unit: None, ty: "Pose2", placement: Some(placement) }
+const fn pose(name: &'static str, placement: &'static Placement<'static>) -> Output {
+    Output { name, doc: Doc::new(""), unit: None, ty: "Pose2", placement: Some(placement) }
 }
 
-const ROBOT: Info = pose("robot", &Placement { shape: "Pose2", frame: "odometry", child: Some("robot") });
-const ODOMETRY: Info = pose("origin", &Placement { shape: "Pose2", frame: "field", child: Some("odometry") });
-const FIELD: Info = pose("field", &Placement { shape: "Pose2", frame: "robot", child: Some("field") });
-const BALL: Info = pose("ball", &Placement { shape: "Point2", frame: "robot", child: None });
+const ROBOT: Output = pose("robot", &Placement { shape: "Pose2", frame: "odometry", child: Some("robot") });
+const ODOMETRY: Output = pose("origin", &Placement { shape: "Pose2", frame: "field", child: Some("odometry") });
+const FIELD: Output = pose("field", &Placement { shape: "Pose2", frame: "robot", child: Some("field") });
+const BALL: Output = pose("ball", &Placement { shape: "Point2", frame: "robot", child: None });
 
 #[test]
 fn frames_with_two_places() {
     const NODES: [Node; 2] = [
-        Node { info: &[ROBOT, BALL, ODOMETRY], links: &[to(1)], ..node("Legs") },
-        Node { info: &[BALL, BALL, ROBOT], ..node("Eye") },
+        Node { outputs: &[ROBOT, BALL, ODOMETRY], links: &[to(1)], ..node("Legs") },
+        Node { outputs: &[BALL, BALL, ROBOT], ..node("Eye") },
     ];
     reports(
         graph(&NODES),
@@ -157,14 +157,14 @@ fn frames_with_two_places() {
 #[test]
 fn frame_cycle() {
     const NODES: [Node; 2] = [
-        Node { info: &[ROBOT, ODOMETRY, BALL], links: &[to(1)], ..node("Legs") },
-        Node { info: &[BALL, FIELD], ..node("Eye") },
+        Node { outputs: &[ROBOT, ODOMETRY, BALL], links: &[to(1)], ..node("Legs") },
+        Node { outputs: &[BALL, FIELD], ..node("Eye") },
     ];
     reports(
         graph(&NODES),
         "frame cycle: robot in odometry by `Legs.robot`, odometry in field by `Legs.origin`, field in robot by `Eye.field`; \
          remove one of these places",
     );
-    let chain = graph(const { &[Node { info: &[ROBOT, BALL, ODOMETRY, BALL], ..node("Legs") }] });
+    let chain = graph(const { &[Node { outputs: &[ROBOT, BALL, ODOMETRY, BALL], ..node("Legs") }] });
     assert!(first_violation(&chain).is_none(), "a chain of frames is no cycle");
 }

@@ -1,7 +1,7 @@
 //! What an operator may look at and call.
 
 use bica_core::graph::Doc;
-use bica_core::info::{Info, InfoSink, Information};
+use bica_core::output::{Output, OutputSink, OutputType};
 use bica_core::params::{Kind, Value};
 use bica_core::refusal::Reason;
 use bica_core::{Instant, Tree};
@@ -136,15 +136,15 @@ fn a_modulation_with_a_wrong_argument_is_not_called() {
 #[test]
 fn descriptions_hold_what_the_functions_declare() {
     let node = Robot::GRAPH.nodes[0];
-    let kicks = Info { name: "kicks", doc: Doc::new("Number of kicks."), unit: None, ty: "u32", placement: None };
-    let strength = Info {
+    let kicks = Output { name: "kicks", doc: Doc::new("Number of kicks."), unit: None, ty: "u32", placement: None };
+    let strength = Output {
         name: "strength",
         doc: Doc::new("Strength of the last kick."),
         unit: Some("N"),
         ty: "Option<f32>",
         placement: None,
     };
-    assert_eq!(node.info, [kicks, strength]);
+    assert_eq!(node.outputs, [kicks, strength]);
     let [kick, forget] = node.modulations else { panic!("two modulations") };
     assert_eq!((kick.name, kick.doc, forget.name, forget.arguments.len()), ("kick", "Kicks.", "forget", 0));
     let [strength, times, turns, foot] = kick.arguments else { panic!("four arguments") };
@@ -158,8 +158,8 @@ fn descriptions_hold_what_the_functions_declare() {
 /// Counts the values.
 struct Count(usize);
 
-impl InfoSink for Count {
-    fn take<V: Information>(&mut self, _: &V) {
+impl OutputSink for Count {
+    fn take<V: OutputType>(&mut self, _: &V) {
         self.0 += 1;
     }
 }
@@ -170,9 +170,9 @@ fn a_getter_is_called_only_when_it_is_read() {
     let mut count = Count(0);
     robot.tick(Instant::from_ticks(0));
     assert_eq!(robot.get::<Kicker>().asked.get(), 0);
-    assert!(robot.read_info("Kicker", "kicks", &mut count) && robot.read_info("Kicker", 1, &mut count));
-    assert!(!robot.read_info("Kicker", 2, &mut count) && !robot.read_info("Other", 0, &mut count));
-    assert!(!robot.read_info("Kicker", "kick", &mut count) && !robot.read_info("Kiker", "kicks", &mut count));
-    assert!(!robot.read_info(2, 0, &mut count));
+    assert!(robot.read_output("Kicker", "kicks", &mut count) && robot.read_output("Kicker", 1, &mut count));
+    assert!(!robot.read_output("Kicker", 2, &mut count) && !robot.read_output("Other", 0, &mut count));
+    assert!(!robot.read_output("Kicker", "kick", &mut count) && !robot.read_output("Kiker", "kicks", &mut count));
+    assert!(!robot.read_output(2, 0, &mut count));
     assert_eq!((count.0, robot.get::<Kicker>().asked.get()), (2, 1));
 }

@@ -36,7 +36,7 @@ pub struct Component {
     /// Functions with `#[stop]`.
     pub stops: Vec<Function>,
     /// Functions with `#[output]`.
-    pub infos: Vec<Info>,
+    pub outputs: Vec<Output>,
     /// Functions with `#[modulation]`.
     pub modulations: Vec<Modulation>,
     /// Function with `#[work]`.
@@ -88,7 +88,7 @@ pub struct Work {
 }
 
 /// A getter with `#[output]`.
-pub struct Info {
+pub struct Output {
     /// Name of the function.
     pub name: Ident,
     /// Doc comment.

@@ -4,9 +4,9 @@ use proc_macro2::Ident;
 use syn::{Attribute, Expr, FnArg, Pat, PatType, ReturnType, Type};
 
 use super::block::Function;
-use super::model::{Info, Modulation};
+use super::model::{Modulation, Output};
 use super::signature::Wanted;
-use super::{arguments, attributes, info_options, signature};
+use super::{arguments, attributes, output_options, signature};
 use crate::code::Code;
 use crate::params::field::{self, Keys};
 use crate::params::model::Field;
@@ -29,19 +29,19 @@ const SYNONYMS: [(&str, &str); 8] = [
 ];
 
 /// Reads a getter.
-pub(super) fn info(function: &Function, attribute: &Attribute, own: &Type, report: &mut Report) -> Option<Info> {
-    let (unit, placement) = report.take(info_options::parse(attribute))?;
+pub(super) fn output(function: &Function, attribute: &Attribute, own: &Type, report: &mut Report) -> Option<Output> {
+    let (unit, placement) = report.take(output_options::parse(attribute))?;
     let (name, doc) = described(function, "output", report);
     signature::read_operator(&function.signature, own, Wanted::Shared, report);
     for input in function.signature.inputs.iter().filter(|input| matches!(input, FnArg::Typed(_))) {
-        report.add(input, wording::INFO_ARGUMENTS);
+        report.add(input, wording::OUTPUT_ARGUMENTS);
     }
     match &function.signature.output {
         ReturnType::Type(_, kind) if text::written(kind) != "()" => {
-            Some(Info { name, doc, unit, placement, ty: (**kind).clone() })
+            Some(Output { name, doc, unit, placement, ty: (**kind).clone() })
         }
         _ => {
-            report.add(&name, wording::info_value(&text::name(&name)));
+            report.add(&name, wording::output_value(&text::name(&name)));
             None
         }
     }

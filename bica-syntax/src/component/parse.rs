@@ -62,7 +62,7 @@ pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> P
         hooks_before: Vec::new(),
         starts: Vec::new(),
         stops: Vec::new(),
-        infos: Vec::new(),
+        outputs: Vec::new(),
         modulations: Vec::new(),
         work: None,
         incomplete: false,
@@ -259,8 +259,8 @@ fn sort(component: &mut Component, function: &mut block::Function, mut roles: Ve
             hooks.push(function);
         }
         Some("output") => {
-            let info = operator::info(function, first, component.own(), report);
-            component.infos.extend(info);
+            let output = operator::output(function, first, component.own(), report);
+            component.outputs.extend(output);
         }
         Some("modulation") => {
             let own = component.own().clone();

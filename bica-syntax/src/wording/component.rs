@@ -129,11 +129,11 @@ messages! {
 }
 
 // Outputs and calls for an operator.
-pub(crate) const INFO_FORM: &str =
+pub(crate) const OUTPUT_FORM: &str =
     "write `#[output]`, `#[output(unit = \"m\")]` or `#[output(unit = \"m\", frame = \"robot\")]`";
 pub(crate) const CHILD_WITHOUT_FRAME: &str =
     "a child frame has a place in another frame: add `frame = \"...\"`, the name of that frame";
-pub(crate) const INFO_ARGUMENTS: &str = "an output is read without arguments: remove this";
+pub(crate) const OUTPUT_ARGUMENTS: &str = "an output is read without arguments: remove this";
 pub(crate) const MODULATION_FORM: &str =
     "write `#[modulation]` or `#[modulation(stop)]`, and `#[range(a..=b)]` and `#[unit(\"...\")]` before an argument";
 pub(crate) const STOP_ARGUMENTS: &str =
@@ -153,7 +153,7 @@ pub(crate) const NO_ACTION: &str =
 messages! {
     frame_form(key) = "`{key}` is the name of a frame: write `{key} = \"robot\"`";
     frame_in_itself(frame) = "the frame `{frame}` has no place in itself: name another frame in `frame` or `child`";
-    info_value(name) = "`{name}` returns no value: add `-> Type`";
+    output_value(name) = "`{name}` returns no value: add `-> Type`";
     operator_doc(role, name) = "`{name}` has `#[{role}]` but no doc comment: describe it for an operator, `/// ...`";
 }
 

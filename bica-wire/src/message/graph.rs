@@ -120,7 +120,7 @@ pub enum GraphItem<'a> {
         name: &'a str,
     },
     /// An output of a component.
-    Info {
+    Output {
         /// Index of the component.
         component: u16,
         /// Index among the component's outputs.

@@ -27,8 +27,8 @@ pub use extra::{
 pub use graph::GraphItem;
 pub use image::{BlobsInfo, ImageChunk};
 pub use monitor::{
-    Attached, ComponentState, ComponentStates, CycleInfo, InfoSchema, InfoValue, LogLine, LogSource, MAX_INFO_BYTES,
-    MAX_STATES, MAX_TEXT_BYTES, MAX_VALUES, ParamValues, SCHEMA_PART_BYTES, Watch, WatchInfo,
+    Attached, ComponentState, ComponentStates, CycleInfo, LogLine, LogSource, MAX_OUTPUT_BYTES, MAX_STATES,
+    MAX_TEXT_BYTES, MAX_VALUES, OutputSchema, OutputValue, ParamValues, SCHEMA_PART_BYTES, Watch, WatchOutput,
 };
 pub use operator::{
     Answer, AnswerResult, Change, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, RefusalCode, Request,
@@ -103,7 +103,7 @@ pub enum FromMonitor {
     /// Sets how often snapshots are sent.
     Watch(Watch),
     /// Sets how often an output is sent.
-    WatchInfo(WatchInfo),
+    WatchOutput(WatchOutput),
     /// Requests the current values of all parameters.
     ReadParams,
     /// Acts on the lease.
@@ -125,10 +125,10 @@ pub enum ToMonitor<'a> {
     Components(ComponentStates),
     /// A value of an output.
     #[serde(borrow)]
-    Info(InfoValue<'a>),
+    Output(OutputValue<'a>),
     /// A part of the schema of an output.
     #[serde(borrow)]
-    InfoSchema(InfoSchema<'a>),
+    OutputSchema(OutputSchema<'a>),
     /// Current values of parameters: the answer to [`FromMonitor::ReadParams`], and sent to every monitor after a change.
     Params(ParamValues),
     /// The lease.

@@ -11,7 +11,7 @@ pub const MAX_STATES: usize = 32;
 /// Largest number of values in one [`ParamValues`].
 pub const MAX_VALUES: usize = 32;
 /// Largest size of a value of an output in postcard's format, bytes. A larger one is not sent.
-pub const MAX_INFO_BYTES: usize = 1024;
+pub const MAX_OUTPUT_BYTES: usize = 1024;
 /// Largest size of a part of a schema, bytes.
 pub const SCHEMA_PART_BYTES: usize = 1024;
 /// Largest size of the text of a [`LogLine`] and of a refusal, bytes. A longer one is cut.
@@ -44,11 +44,11 @@ pub struct Watch {
 
 /// How often an output is sent to this monitor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub struct WatchInfo {
+pub struct WatchOutput {
     /// Index of the component.
     pub component: u16,
     /// Index of the output.
-    pub info: u16,
+    pub output: u16,
     /// The value of every n-th cycle; 0: none.
     pub every: u16,
 }
@@ -94,25 +94,25 @@ pub struct ComponentState {
 
 /// A value of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub struct InfoValue<'a> {
+pub struct OutputValue<'a> {
     /// Number of the cycle after which it was read.
     pub cycle: u64,
     /// Index of the component.
     pub component: u16,
     /// Index of the output.
-    pub info: u16,
-    /// The value in postcard's format; none if it is larger than [`MAX_INFO_BYTES`].
+    pub output: u16,
+    /// The value in postcard's format; none if it is larger than [`MAX_OUTPUT_BYTES`].
     pub bytes: Option<&'a [u8]>,
 }
 
 /// A part of the schema of an output: a `NamedType` of postcard-schema in postcard's format. A program on a computer sends the
 /// schemas of all outputs before the values of parameters. A microcontroller sends a schema before the first value of its output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub struct InfoSchema<'a> {
+pub struct OutputSchema<'a> {
     /// Index of the component.
     pub component: u16,
     /// Index of the output.
-    pub info: u16,
+    pub output: u16,
     /// Whether this is the last part.
     pub last: bool,
     /// The part.

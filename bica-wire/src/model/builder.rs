@@ -11,7 +11,8 @@ use bica_core::graph::{Graph, LinkKind, hash};
 use bica_core::params::Kind;
 
 use super::{
-    Component, Description, Info, Link, Modulation, Param, Placement, State, Transition, Variant, Variants, When, Work,
+    Component, Description, Link, Modulation, Output, Param, Placement, State, Transition, Variant, Variants, When,
+    Work,
 };
 use crate::describe::{GraphItems, describe};
 use crate::message::GraphItem;
@@ -49,7 +50,7 @@ enum Last {
     Transition(usize),
     Param(usize),
     ParamVariant(usize),
-    Info(usize),
+    Output(usize),
     Call(Owner),
     Argument(Owner),
     ArgumentVariant(Owner),
@@ -134,9 +135,9 @@ impl Builder {
                 self.last = Last::Param(component.into());
             }
             GraphItem::Variant { name } => self.variant(name)?,
-            GraphItem::Info { component, name, unit, type_name, placement, .. } => {
+            GraphItem::Output { component, name, unit, type_name, placement, .. } => {
                 let (name, unit, type_name) = (name.to_owned(), unit.map(str::to_owned), type_name.to_owned());
-                self.at(component)?.info.push(Info {
+                self.at(component)?.outputs.push(Output {
                     name,
                     doc: String::new(),
                     unit,
@@ -144,7 +145,7 @@ impl Builder {
                     placement: placement.map(Placement::from),
                     schema: None,
                 });
-                self.last = Last::Info(component.into());
+                self.last = Last::Output(component.into());
             }
             GraphItem::Modulation { component, name, stops, .. } => {
                 self.at(component)?.modulations.push(Modulation { stops, ..call(name, None) });
@@ -214,7 +215,7 @@ impl Builder {
             Last::Transition(of) => &mut description.components.get_mut(of)?.transitions.last_mut()?.doc,
             Last::Param(of) => &mut description.components.get_mut(of)?.params.last_mut()?.doc,
             Last::ParamVariant(of) => last_variant(description.components.get_mut(of)?.params.last_mut()?)?,
-            Last::Info(of) => &mut description.components.get_mut(of)?.info.last_mut()?.doc,
+            Last::Output(of) => &mut description.components.get_mut(of)?.outputs.last_mut()?.doc,
             Last::Link(_) => return None,
         })
     }

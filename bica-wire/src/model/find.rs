@@ -32,8 +32,8 @@ impl Description {
     ///
     /// # Errors
     /// As [`component`](Self::component).
-    pub fn info(&self, path: &str) -> Result<(usize, usize), Invalid> {
-        self.member(path, "output", |component| component.info.iter().map(|info| info.name.as_str()).collect())
+    pub fn output(&self, path: &str) -> Result<(usize, usize), Invalid> {
+        self.member(path, "output", |component| component.outputs.iter().map(|output| output.name.as_str()).collect())
     }
 
     /// Finds a modulation by `Component.name`: the indices of the component and of the modulation.

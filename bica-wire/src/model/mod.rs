@@ -80,7 +80,8 @@ pub struct Component {
     /// Parameters.
     pub params: Vec<Param>,
     /// Outputs.
-    pub info: Vec<Info>,
+    #[serde(rename = "info")]
+    pub outputs: Vec<Output>,
     /// Modulations.
     pub modulations: Vec<Modulation>,
     /// Function that runs beside the loop.
@@ -182,7 +183,7 @@ pub struct Transition {
 
 /// An output.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Info {
+pub struct Output {
     /// Name.
     pub name: String,
     /// Doc comment.

@@ -33,8 +33,8 @@ impl Description {
             for (index, param) in described.params.iter_mut().enumerate() {
                 param.value = robot.at(component).ok().and_then(|component| component.param(index));
             }
-            for (index, info) in described.info.iter_mut().enumerate() {
-                info.schema = read::schema(robot, component, index).map(Into::into);
+            for (index, output) in described.outputs.iter_mut().enumerate() {
+                output.schema = read::schema(robot, component, index).map(Into::into);
             }
         }
         self

@@ -7,7 +7,7 @@ use bica_core::{ComponentId, Instant};
 use heapless::{Deque, Vec};
 
 use super::refusal::PendingAnswer;
-use crate::message::{CycleInfo, WatchInfo};
+use crate::message::{CycleInfo, WatchOutput};
 use crate::{GraphItems, describe};
 
 /// Maximum number of outputs that a connection watches.
@@ -50,14 +50,14 @@ pub(super) struct Connection {
     /// Number of bytes of the next schema that have been sent.
     pub(super) schema_offset: usize,
     /// Entry at which the search for due outputs begins.
-    pub(super) next_info: usize,
+    pub(super) next_output: usize,
 }
 
 /// Output that a connection watches.
 #[derive(Clone, Copy)]
 pub(super) struct Watched {
     pub(super) component: u8,
-    pub(super) info: u8,
+    pub(super) output: u8,
     /// Interval: sent in every n-th cycle; 0: not sent any more.
     every: u16,
 }
@@ -88,7 +88,7 @@ impl Connection {
             due: [0; MAX_WATCHED / BITS],
             schemas: [0; MAX_WATCHED / BITS],
             schema_offset: 0,
-            next_info: 0,
+            next_output: 0,
         }
     }
 
@@ -99,16 +99,16 @@ impl Connection {
         (self.every, self.snapshot) = (0, None);
         self.watched.clear();
         (self.due, self.schemas) = ([0; MAX_WATCHED / BITS], [0; MAX_WATCHED / BITS]);
-        (self.schema_offset, self.next_info) = (0, 0);
+        (self.schema_offset, self.next_output) = (0, 0);
     }
 
     /// Changes how often an output is sent.
-    pub(super) fn watch(&mut self, WatchInfo { component, info, every }: WatchInfo) {
-        let (Ok(component), Ok(info)) = (u8::try_from(component), u8::try_from(info)) else { return };
-        let same = |watched: &&mut Watched| (watched.component, watched.info) == (component, info);
+    pub(super) fn watch(&mut self, WatchOutput { component, output, every }: WatchOutput) {
+        let (Ok(component), Ok(output)) = (u8::try_from(component), u8::try_from(output)) else { return };
+        let same = |watched: &&mut Watched| (watched.component, watched.output) == (component, output);
         if let Some(watched) = self.watched.iter_mut().find(same) {
             watched.every = every;
-        } else if every > 0 && self.watched.push(Watched { component, info, every }).is_err() {
+        } else if every > 0 && self.watched.push(Watched { component, output, every }).is_err() {
             let text = "too many outputs";
             self.log(LogEntry { time_us: 0, level: 3, text, component: None });
         }
@@ -154,7 +154,7 @@ impl Connection {
     pub(super) fn next_due(&self) -> Option<usize> {
         let count = self.watched.len();
         let is_due = |entry: &usize| contains(&self.due, *entry) && self.watched[*entry].every > 0;
-        (self.next_info..count).chain(0..self.next_info.min(count)).find(is_due)
+        (self.next_output..count).chain(0..self.next_output.min(count)).find(is_due)
     }
 }
 

@@ -140,7 +140,7 @@ impl<const LINES: usize> MonitorServer<LINES> {
         match message {
             FromMonitor::Attach => (connection.attached, connection.lease) = (true, true),
             FromMonitor::Watch(watch) => connection.every = watch.every,
-            FromMonitor::WatchInfo(watch) => connection.watch(watch),
+            FromMonitor::WatchOutput(watch) => connection.watch(watch),
             FromMonitor::ReadParams => connection.add_params(0..R::Tree::COUNT as u16),
             FromMonitor::Lease(action) => self.act(line, action, moment),
             FromMonitor::Request(request) => self.request(line, request, robot, moment.robot),

@@ -1,6 +1,6 @@
 //! Values of outputs and their schemas as bytes.
 
-use bica_core::info::{InfoSink, Information};
+use bica_core::output::{OutputSink, OutputType};
 use postcard::Serializer;
 use postcard::ser_flavors::{Flavor, Slice};
 use postcard_schema::schema::NamedType;
@@ -25,8 +25,8 @@ impl<'a> OutputBytes<'a> {
     }
 }
 
-impl InfoSink for OutputBytes<'_> {
-    fn take<V: Information>(&mut self, value: &V) {
+impl OutputSink for OutputBytes<'_> {
+    fn take<V: OutputType>(&mut self, value: &V) {
         self.schema = Some(V::SCHEMA);
         self.fits = value.serialize(&mut self.serializer).is_ok();
     }

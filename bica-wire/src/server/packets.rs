@@ -8,8 +8,8 @@ use postcard_schema::schema::NamedType;
 use super::connection::{Connection, LogEntry, REFUSED, contains, set};
 use super::output::{OutputBytes, schema_part};
 use crate::message::{
-    Attached, ComponentStates, CycleInfo, InfoSchema, InfoValue, LeaseState, LogLine, LogSource, MAX_INFO_BYTES,
-    MAX_STATES, MAX_VALUES, Offers, SCHEMA_PART_BYTES,
+    Attached, ComponentStates, CycleInfo, LeaseState, LogLine, LogSource, MAX_OUTPUT_BYTES, MAX_STATES, MAX_VALUES,
+    Offers, OutputSchema, OutputValue, SCHEMA_PART_BYTES,
 };
 use crate::{Encoder, FromRobot, SCHEMA, ToMonitor, read};
 
@@ -95,7 +95,7 @@ impl Connection {
         }
         self.next_params(context, encoder, room)
             .or_else(|| self.next_states(context, encoder, room))
-            .or_else(|| self.next_info(context, encoder, room))
+            .or_else(|| self.next_output(context, encoder, room))
     }
 
     fn next_graph_item<T: Tree>(&mut self, encoder: &mut Encoder, room: &mut [u8]) -> Option<usize> {
@@ -149,18 +149,18 @@ impl Connection {
         Some(length)
     }
 
-    fn next_info<T: Tree>(
+    fn next_output<T: Tree>(
         &mut self,
         context: &Context<'_, T>,
         encoder: &mut Encoder,
         room: &mut [u8],
     ) -> Option<usize> {
         let entry = self.next_due()?;
-        let (component, info) = (self.watched[entry].component, self.watched[entry].info);
-        let (id, index) = (ComponentId::new(component.into()), usize::from(info));
-        let mut buffer = [0; MAX_INFO_BYTES];
+        let (component, output) = (self.watched[entry].component, self.watched[entry].output);
+        let (id, index) = (ComponentId::new(component.into()), usize::from(output));
+        let mut buffer = [0; MAX_OUTPUT_BYTES];
         let mut value = OutputBytes::new(&mut buffer);
-        context.tree.read_info(id, index, &mut value);
+        context.tree.read_output(id, index, &mut value);
         let Some(schema) = value.schema else {
             // The component has no such output.
             set(&mut self.due, entry, false);
@@ -170,10 +170,10 @@ impl Connection {
             return self.next_schema::<T>(schema, entry, encoder, room);
         }
         let (cycle, bytes) = (context.cycle(), value.finish());
-        let message = InfoValue { cycle, component: component.into(), info: info.into(), bytes };
-        let length = Context::<T>::encode(&ToMonitor::Info(message), encoder, room)?;
+        let message = OutputValue { cycle, component: component.into(), output: output.into(), bytes };
+        let length = Context::<T>::encode(&ToMonitor::Output(message), encoder, room)?;
         set(&mut self.due, entry, false);
-        self.next_info = entry + 1;
+        self.next_output = entry + 1;
         Some(length)
     }
 
@@ -184,12 +184,12 @@ impl Connection {
         encoder: &mut Encoder,
         room: &mut [u8],
     ) -> Option<usize> {
-        let (component, info) = (self.watched[entry].component, self.watched[entry].info);
+        let (component, output) = (self.watched[entry].component, self.watched[entry].output);
         let mut part = [0; SCHEMA_PART_BYTES];
         let (length, more) = schema_part(schema, self.schema_offset, &mut part);
         let bytes = &part[..length];
-        let message = InfoSchema { component: component.into(), info: info.into(), last: !more, bytes };
-        let packet = Context::<T>::encode(&ToMonitor::InfoSchema(message), encoder, room)?;
+        let message = OutputSchema { component: component.into(), output: output.into(), last: !more, bytes };
+        let packet = Context::<T>::encode(&ToMonitor::OutputSchema(message), encoder, room)?;
         self.schema_offset = if more { self.schema_offset + length } else { 0 };
         set(&mut self.schemas, entry, !more);
         Some(packet)

@@ -2,8 +2,8 @@
 
 use bica_core::action::Action;
 use bica_core::graph::{Doc, End, Graph, Link, LinkKind, Node, Roles, State, Transition, When, WorkFunction};
-use bica_core::info::Info;
 use bica_core::modulation::Modulation;
+use bica_core::output::Output;
 use bica_core::params::{self, Kind, Param, ParamGroup, Variant};
 use bica_core::visual::Placement;
 use bica_core::{Axis, Hint, Place};
@@ -65,7 +65,7 @@ static GRAPH: Graph = Graph {
         Node {
             budget_us: Some(5.0),
             params: &[ParamGroup { name: "Seeing", doc: "", params: &[GAIN, SIDE] }],
-            info: &[Info {
+            outputs: &[Output {
                 name: "at",
                 doc: Doc::new(""),
                 unit: Some("m"),
@@ -123,7 +123,7 @@ fn graph_is_described_once_and_in_order() {
         GraphItem::Variant { name: "Left" },
         GraphItem::Variant { name: "Right" },
         doc("Of the robot."),
-        GraphItem::Info {
+        GraphItem::Output {
             component: 0,
             index: 0,
             name: "at",

@@ -14,16 +14,16 @@ use bica_core::visual::SceneItem;
 use bica_wire::message::{
     Answer, AnswerResult, Attached, BlobsInfo, Change, ClockMode, Command, ComponentCost, ComponentCosts,
     ComponentState, ComponentStates, ConditionState, Conditions, Costs, CycleInfo, ExtraKind, FaultInjection, Hello,
-    Hold, Identity, ImageChunk, ImageHead, InfoValue, LeaseAction, LeaseState, LogLine, LogSource, Offers, RefusalCode,
-    Request, SceneContent, SceneDeclaration, SceneKind, ScenePart, Sensors, Setting, StackUsage, Value, Watch,
-    WatchInfo, WorldChange, WorldRequest, WorldState,
+    Hold, Identity, ImageChunk, ImageHead, LeaseAction, LeaseState, LogLine, LogSource, Offers, OutputValue,
+    RefusalCode, Request, SceneContent, SceneDeclaration, SceneKind, ScenePart, Sensors, Setting, StackUsage, Value,
+    Watch, WatchOutput, WorldChange, WorldRequest, WorldState,
 };
 use bica_wire::{
     Decoder, Encoder, FromMonitor, FromMonitorExtra, FromRobot, MAX_PACKET, SCHEMA, ToMonitor, ToMonitorExtra, ToRobot,
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0x402c_980c_e5cc_6ddf;
+const GOLDEN_SCHEMA: u64 = 0x6649_aef9_fef3_df8f;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
@@ -90,7 +90,7 @@ fn messages_of_monitors_have_the_documented_bytes() {
     let from = |message: &FromMonitor| postcard::to_stdvec(message).expect("serializable");
     assert_eq!(from(&FromMonitor::Attach), [0]);
     assert_eq!(from(&FromMonitor::Watch(Watch { every: 300 })), [1, 172, 2]);
-    assert_eq!(from(&FromMonitor::WatchInfo(WatchInfo { component: 1, info: 2, every: 3 })), [2, 1, 2, 3]);
+    assert_eq!(from(&FromMonitor::WatchOutput(WatchOutput { component: 1, output: 2, every: 3 })), [2, 1, 2, 3]);
     assert_eq!(from(&FromMonitor::ReadParams), [3]);
     assert_eq!(from(&FromMonitor::Lease(LeaseAction::Take)), [4, 1]);
     assert_eq!(from(&FromMonitor::Lease(LeaseAction::Keep { lease: 128 })), [4, 2, 128, 1]);
@@ -116,8 +116,8 @@ fn messages_of_monitors_have_the_documented_bytes() {
     let states = [state].into_iter().collect();
     let states = ComponentStates { cycle: 1, first: 2, states };
     assert_eq!(to(&ToMonitor::Components(states)), [2, 1, 2, 1, 1, 1, 1, 7, 0]);
-    let info = InfoValue { cycle: 1, component: 2, info: 3, bytes: Some(&[9]) };
-    assert_eq!(to(&ToMonitor::Info(info)), [3, 1, 2, 3, 1, 1, 9]);
+    let value = OutputValue { cycle: 1, component: 2, output: 3, bytes: Some(&[9]) };
+    assert_eq!(to(&ToMonitor::Output(value)), [3, 1, 2, 3, 1, 1, 9]);
     let lease = LeaseState { lease: 1, owned: true, yours: false, time_us: 2 };
     assert_eq!(to(&ToMonitor::Lease(lease)), [6, 1, 1, 0, 2]);
     let result = AnswerResult::Refused { code: RefusalCode::Tree, entry: 4, text: "a" };

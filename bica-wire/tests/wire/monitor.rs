@@ -3,10 +3,10 @@
 use bica_core::ComponentId;
 use bica_wire::message::{
     Answer, AnswerResult, Change, ClockMode, ComponentCost, ComponentCosts, ComponentState, ComponentStates,
-    ConditionState, Conditions, Hello, Hold, ImageChunk, InfoSchema, InfoValue, LeaseAction, LogLine, LogSource,
-    MAX_ARGUMENTS, MAX_BATCH, MAX_CONDITIONS, MAX_COSTS, MAX_INFO_BYTES, MAX_STATES, MAX_TEXT_BYTES, MAX_VALUES,
+    ConditionState, Conditions, Hello, Hold, ImageChunk, LeaseAction, LogLine, LogSource, MAX_ARGUMENTS, MAX_BATCH,
+    MAX_CONDITIONS, MAX_COSTS, MAX_OUTPUT_BYTES, MAX_STATES, MAX_TEXT_BYTES, MAX_VALUES, OutputSchema, OutputValue,
     ParamValues, RefusalCode, Request, SCENE_PART_BYTES, SCHEMA_PART_BYTES, SceneContent, SceneKind, ScenePart,
-    Setting, Value, Watch, WatchInfo,
+    Setting, Value, Watch, WatchOutput,
 };
 use bica_wire::{CHUNK_BYTES, Encoder, FromMonitor, FromRobot, MAX_PACKET, ToMonitor, ToMonitorExtra, ToRobot};
 use proptest::prelude::*;
@@ -26,16 +26,16 @@ fn assert_from_fits(message: &FromMonitor) {
 
 #[test]
 fn largest_message_of_each_kind_fits_a_packet() {
-    let (cycle, component, info) = (u64::MAX, u16::MAX, u16::MAX);
+    let (cycle, component, output) = (u64::MAX, u16::MAX, u16::MAX);
     let state = ComponentState { active: true, held: Hold::Latent, state: Some(u16::MAX), hz: Some(1.0) };
     let states = [state; MAX_STATES].into_iter().collect();
     assert_to_fits(&ToMonitor::Components(ComponentStates { cycle, first: u16::MAX, states }));
     let values = [Some(VALUE); MAX_VALUES].into_iter().collect();
     assert_to_fits(&ToMonitor::Params(ParamValues { cycle, component, first: u16::MAX, values }));
-    let bytes = [1; MAX_INFO_BYTES];
-    assert_to_fits(&ToMonitor::Info(InfoValue { cycle, component, info, bytes: Some(&bytes) }));
+    let bytes = [1; MAX_OUTPUT_BYTES];
+    assert_to_fits(&ToMonitor::Output(OutputValue { cycle, component, output, bytes: Some(&bytes) }));
     let bytes = [1; SCHEMA_PART_BYTES];
-    assert_to_fits(&ToMonitor::InfoSchema(InfoSchema { component, info, last: true, bytes: &bytes }));
+    assert_to_fits(&ToMonitor::OutputSchema(OutputSchema { component, output, last: true, bytes: &bytes }));
     let text = "x".repeat(MAX_TEXT_BYTES);
     assert_to_fits(&ToMonitor::Log(LogLine { time_us: u64::MAX, level: 4, source: LogSource::Robot, text: &text }));
     let refused = AnswerResult::Refused { code: RefusalCode::Tree, entry: u16::MAX, text: &text };
@@ -117,9 +117,9 @@ proptest! {
 }
 
 fn watches() -> impl Strategy<Value = FromMonitor> {
-    (any::<u16>(), prop::option::of((any::<u16>(), any::<u16>()))).prop_map(|(every, info)| match info {
+    (any::<u16>(), prop::option::of((any::<u16>(), any::<u16>()))).prop_map(|(every, output)| match output {
         None => FromMonitor::Watch(Watch { every }),
-        Some((component, info)) => FromMonitor::WatchInfo(WatchInfo { component, info, every }),
+        Some((component, output)) => FromMonitor::WatchOutput(WatchOutput { component, output, every }),
     })
 }
 

@@ -10,10 +10,10 @@ use glam::Vec2;
 
 use super::FaceBall;
 use super::search::{GLANCES, Search};
-use crate::info;
 use crate::motion::{Head, SideChoice};
 use crate::output::CameraSelector;
 use crate::roles::{self, Ball, Carpet, Eye, Legs, Odometer, Place, Robots};
+use crate::shapes;
 use crate::strategy::{Strip, Viewpoints, free_path};
 
 /// Largest tangent of the angle to a place that is ahead.
@@ -321,7 +321,7 @@ impl SearchBall {
     /// Place to which the robot walks to search from there; only if it knows its pose.
     #[output(unit = "m", frame = "odometry")]
     fn next_place(&self) -> Option<Point2> {
-        self.place.map(info::point)
+        self.place.map(shapes::point)
     }
 
     /// Free path ahead, in the last run that measured it.

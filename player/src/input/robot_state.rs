@@ -12,8 +12,8 @@ use bica_motion::side::Side;
 use bica_motion::walk::Feedback;
 
 use crate::MODEL;
-use crate::info;
 use crate::output::JointCommand;
+use crate::shapes;
 
 /// Contact of the feet with the ground.
 #[derive(Params)]
@@ -129,19 +129,23 @@ impl RobotState {
     #[output(unit = "rad/s, m/s²", frame = "torso")]
     fn inertial_unit(&self) -> Imu {
         let Inertial { gyro, acceleration, .. } = self.inertial;
-        Imu { angular_velocity: info::vector(gyro), linear_acceleration: info::vector(acceleration), orientation: None }
+        Imu {
+            angular_velocity: shapes::vector(gyro),
+            linear_acceleration: shapes::vector(acceleration),
+            orientation: None,
+        }
     }
 
     /// Pose of the torso, from the joint angles and the support foot.
     #[output(unit = "m", frame = "robot", child = "torso")]
     fn torso(&self) -> Pose3 {
-        info::pose_in_space(&ground_from_robot(self.model, self.support(), &self.angles))
+        shapes::pose_in_space(&ground_from_robot(self.model, self.support(), &self.angles))
     }
 
     /// Pose of the head.
     #[output(unit = "m", frame = "torso", child = "head")]
     fn head(&self) -> Pose3 {
-        info::pose_in_space(&Skeleton::of(self.model, &self.angles).pose(Segment::Head))
+        shapes::pose_in_space(&Skeleton::of(self.model, &self.angles).pose(Segment::Head))
     }
 
     /// Roll of the torso, positive to the right.

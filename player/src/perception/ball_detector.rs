@@ -16,7 +16,7 @@ use glam::Vec2;
 use super::ego_motion::EgoMotion;
 use super::{Bearing, CameraPose, FieldBoundary, Odometry, OwnBody};
 use crate::input::{CameraInput, Colours};
-use crate::{MODEL, info};
+use crate::{MODEL, shapes};
 
 pub use params::{BallDetection, BallTracking};
 
@@ -215,13 +215,13 @@ impl BallDetector {
     /// Most probable position of the ball now.
     #[output(unit = "m", frame = "robot")]
     fn ball_position(&self) -> Option<Ellipse> {
-        self.estimate().map(info::ellipse)
+        self.estimate().map(shapes::ellipse)
     }
 
     /// Velocity of the ball over the ground, x forward, y left; zero for a resting ball.
     #[output(unit = "m/s")]
     fn ball_velocity(&self) -> Point2 {
-        info::point(self.memory().velocity())
+        shapes::point(self.memory().velocity())
     }
 
     /// Probability that the ball rolls, 0 to 1.

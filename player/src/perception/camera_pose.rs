@@ -10,8 +10,8 @@ use bica_vision::uncertainty::Errors;
 
 use super::ego_motion::LastImage;
 use crate::MODEL;
-use crate::info;
 use crate::input::{CameraInput, RobotState};
+use crate::shapes;
 
 pub use params::{CameraErrors, CameraMounting};
 
@@ -84,7 +84,7 @@ impl CameraPose {
     /// Pose of the camera that took the newest image.
     #[output(frame = "robot", child = "camera")]
     fn camera_pose(&self) -> Option<Pose3> {
-        self.camera.map(|camera| info::pose_in_space(&camera.pose()))
+        self.camera.map(|camera| shapes::pose_in_space(&camera.pose()))
     }
 
     /// Intrinsic parameters of the camera that took the newest image.

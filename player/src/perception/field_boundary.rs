@@ -8,8 +8,8 @@ use bica_vision::projection::Camera;
 use glam::Vec2;
 
 use super::ego_motion::LastImage;
-use crate::info;
 use crate::input::{CameraInput, Colours};
+use crate::shapes;
 
 /// Detection of the field boundary.
 #[derive(Params)]
@@ -76,7 +76,7 @@ impl FieldBoundary {
     /// The boundary from its left end to its right one; without points if no field is in view.
     #[output(unit = "px", frame = "camera")]
     fn corners(&self) -> ImagePolyline<COLUMNS> {
-        ImagePolyline { points: self.line.corners().iter().copied().map(info::pixel).collect() }
+        ImagePolyline { points: self.line.corners().iter().copied().map(shapes::pixel).collect() }
     }
 
     /// Whether the newest image, which `camera` took, shows the field at a position in the ground frame between the feet, m; see

@@ -11,8 +11,8 @@ use glam::Vec2;
 
 use super::ego_motion::LastImage;
 use super::{CameraPose, FieldBoundary, OwnBody, RobotDetector};
-use crate::info;
 use crate::input::{CameraInput, Colours};
+use crate::shapes;
 
 pub use params::{LineDetection, MarkingDetection};
 
@@ -79,14 +79,14 @@ impl FieldLines {
     /// The first line segments on the ground.
     #[output(unit = "m", frame = "robot")]
     fn lines(&self) -> List<Segment, DRAWN> {
-        let segment = |line: &Line| Segment { start: info::point(line.from), end: info::point(line.to) };
+        let segment = |line: &Line| Segment { start: shapes::point(line.from), end: shapes::point(line.to) };
         self.markings.lines.iter().map(segment).collect()
     }
 
     /// Centre of the centre circle.
     #[output(unit = "m", frame = "robot")]
     fn circle_centre(&self) -> Option<Point2> {
-        self.markings.circle.map(|circle| info::point(circle.centre))
+        self.markings.circle.map(|circle| shapes::point(circle.centre))
     }
 
     /// Counts a cycle since the last image.

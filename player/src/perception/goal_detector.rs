@@ -16,8 +16,8 @@ use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
-use crate::info;
 use crate::input::{CameraInput, Colours};
+use crate::shapes;
 
 pub use params::{GoalDetection, GoalTracking};
 
@@ -219,7 +219,7 @@ impl GoalDetector {
     #[output(unit = "px", frame = "camera")]
     fn posts_in_image(&self) -> [Option<ImageSegment>; 2] {
         let posts = self.seen().map_or([None; 2], |goal| [Some(goal.first), goal.second]);
-        let segment = |post: Post| ImageSegment { start: info::pixel(post.base), end: info::pixel(post.top) };
+        let segment = |post: Post| ImageSegment { start: shapes::pixel(post.base), end: shapes::pixel(post.top) };
         posts.map(|post| post.map(segment))
     }
 
@@ -267,7 +267,7 @@ impl GoalDetector {
     /// Middle of the goal.
     #[output(unit = "m", frame = "robot")]
     fn goal_position(&self) -> Option<Ellipse> {
-        self.estimate().map(info::ellipse)
+        self.estimate().map(shapes::ellipse)
     }
 
     /// Confidence in the position, 0 to 1.
@@ -279,7 +279,7 @@ impl GoalDetector {
     /// Unit vector along the goal line, from the right post to the left one, in the ground frame.
     #[output]
     fn goal_line(&self) -> Point2 {
-        info::point(self.across())
+        shapes::point(self.across())
     }
 
     /// The same position with its covariance, m².

@@ -11,8 +11,8 @@ use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, FieldLines, GoalDetector, Odometry};
-use crate::info;
 use crate::input::CameraInput;
+use crate::shapes;
 
 pub use params::{MotionNoise, SightingUse};
 
@@ -73,13 +73,13 @@ impl Localization {
     /// Most probable pose on the field, reliable or not, with its covariance: x towards the attacked goal, from the centre.
     #[output(frame = "field")]
     fn robot_pose(&self) -> Option<PoseWithCovariance2> {
-        self.estimate().map(|estimate| info::pose_with_covariance(estimate.pose, &estimate.covariance))
+        self.estimate().map(|estimate| shapes::pose_with_covariance(estimate.pose, &estimate.covariance))
     }
 
     /// Most probable pose of the odometry's frame on the field.
     #[output(frame = "field", child = "odometry")]
     fn odometry_origin(&self) -> Option<visual::Pose2> {
-        self.estimate().map(|estimate| info::pose(estimate.pose * self.ego_motion.pose().inverse()))
+        self.estimate().map(|estimate| shapes::pose(estimate.pose * self.ego_motion.pose().inverse()))
     }
 
     /// Whether most particles agree on the pose.
@@ -97,7 +97,7 @@ impl Localization {
     /// Left and right post of the attacked goal by the pose.
     #[output(unit = "m", frame = "robot")]
     fn post_positions(&self) -> Option<[Point2; 2]> {
-        self.posts().map(|posts| posts.map(info::point))
+        self.posts().map(|posts| posts.map(shapes::point))
     }
 
     /// The pose of the point on the ground between the feet in the field frame, x towards the attacked goal; `None` while it

@@ -10,8 +10,8 @@ use glam::Vec2;
 
 use super::ego_motion::Age;
 use crate::MODEL;
-use crate::info;
 use crate::input::{RobotProfile, RobotState};
+use crate::shapes;
 
 /// Corrections and errors of the odometry. The scales are factors on the profile's scales.
 #[derive(Params)]
@@ -120,7 +120,7 @@ impl Odometry {
     /// Pose of the point on the ground between the feet, in the frame of the start.
     #[output(frame = "odometry", child = "robot")]
     fn walked(&self) -> visual::Pose2 {
-        info::pose(self.pose())
+        shapes::pose(self.pose())
     }
 
     /// Foot that bears most of the weight, if one does.

@@ -13,8 +13,8 @@ use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
-use crate::info;
 use crate::input::{CameraInput, Colours};
+use crate::shapes;
 
 pub use params::{RobotDetection, RobotTracking};
 
@@ -93,7 +93,7 @@ impl RobotDetector {
     /// Positions of the remembered robots.
     #[output(unit = "m", frame = "robot")]
     fn robot_positions(&self) -> List<Point2, REMEMBERED> {
-        self.places().map(|place| info::point(place.position)).collect()
+        self.places().map(|place| shapes::point(place.position)).collect()
     }
 
     /// Number of robots in the newest image.

@@ -9,8 +9,8 @@ use bica_motion::pose::Pose2;
 use bica_vision::localization::Estimate;
 use glam::{Mat3, Vec3};
 
-use crate::info;
 use crate::perception::{GoalDetector, Localization, Odometry};
+use crate::shapes;
 
 /// Standard deviation that the odometry adds for each metre, m and rad: a share of the way.
 const WALKING_ERROR: f32 = 0.1;
@@ -78,6 +78,6 @@ impl FieldPose {
     /// Pose in the field frame: x towards the attacked goal, from the centre.
     #[output(frame = "field")]
     fn field_pose(&self) -> Option<visual::Pose2> {
-        self.pose.map(info::pose)
+        self.pose.map(shapes::pose)
     }
 }

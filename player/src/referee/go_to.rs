@@ -8,8 +8,8 @@ use bica_motion::walk::Velocity;
 use glam::Vec2;
 use libm::{atan2f, fabsf};
 
-use crate::info;
 use crate::roles::{Ball, Health, Legs, Robots, Whereabouts, positions};
+use crate::shapes;
 use crate::team::TeamMates;
 
 /// How the robot walks to a pose.
@@ -146,13 +146,13 @@ impl GoTo {
     /// The pose to walk to.
     #[output(frame = "field")]
     fn place(&self) -> Option<visual::Pose2> {
-        self.place.map(info::pose)
+        self.place.map(shapes::pose)
     }
 
     /// Next point to walk to.
     #[output(unit = "m", frame = "robot")]
     const fn next_point(&self) -> visual::Point2 {
-        info::point(self.next)
+        shapes::point(self.next)
     }
 }
 

@@ -7,8 +7,8 @@ use glam::Vec2;
 
 use super::TeamMates;
 use super::message::{SeenBall, TeamMessage};
-use crate::info;
 use crate::roles::{Ball, Whereabouts};
+use crate::shapes;
 
 /// How the sightings of several players are combined.
 #[derive(Clone, Debug, PartialEq, Params)]
@@ -82,7 +82,7 @@ impl TeamBall {
     /// Position of the own sighting.
     #[output(unit = "m", frame = "field")]
     fn own_position(&self) -> Option<visual::Point2> {
-        self.own.map(|ball| info::point(ball.at.into()))
+        self.own.map(|ball| shapes::point(ball.at.into()))
     }
 
     /// Time since the own sighting.

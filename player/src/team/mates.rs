@@ -4,9 +4,9 @@ use bica::prelude::*;
 use bica::visual::{self, List};
 
 use super::message::{Heard, Role, TeamMessage};
-use crate::info;
 use crate::referee::GameController;
 use crate::referee::packet::{PLAYERS, Penalty};
+use crate::shapes;
 
 /// When a silent player counts as absent.
 #[derive(Clone, Debug, PartialEq, Params)]
@@ -88,7 +88,7 @@ impl TeamMates {
     /// Positions of the players that are present.
     #[output(unit = "m", frame = "field")]
     fn positions(&self) -> List<visual::Point2, 8> {
-        self.present().map(|mate| info::point(mate.message.pose().position)).collect()
+        self.present().map(|mate| shapes::point(mate.message.pose().position)).collect()
     }
 
     /// Number of messages that have arrived.

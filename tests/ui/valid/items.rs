@@ -1,6 +1,6 @@
 //! Attributes of the type itself.
 
-use bica::info::{InfoSink, Information};
+use bica::output::{OutputSink, OutputType};
 use bica::prelude::*;
 
 /// Kind of an obstacle.
@@ -50,8 +50,8 @@ activation_tree! {
 
 struct Taken(bool);
 
-impl InfoSink for Taken {
-    fn take<V: Information>(&mut self, _: &V) {
+impl OutputSink for Taken {
+    fn take<V: OutputType>(&mut self, _: &V) {
         self.0 = true;
     }
 }
@@ -68,5 +68,5 @@ fn outputs_have_own_types() {
     forward.tick(Instant::from_millis(0));
     assert!(matches!(forward.get::<Obstacle<u8>>().kind, Kind::Robot { number: 3 }));
     let mut taken = Taken(false);
-    assert!(forward.read_info(Forward::id::<Player>(), 0, &mut taken) && taken.0);
+    assert!(forward.read_output(Forward::id::<Player>(), 0, &mut taken) && taken.0);
 }

@@ -25,7 +25,7 @@ pub(crate) fn check(graph: &Graph, worlds: &[&str], command: &Command) -> Result
     for node in graph.nodes {
         let named = |kind, own| (format!("{}.{own}", node.name), format!("the {kind} `{}.{own}`", node.name));
         let params = node.params.iter().flat_map(|group| group.params).map(|param| named("parameter", param.name));
-        let outputs = node.info.iter().map(|output| named("output", output.name));
+        let outputs = node.outputs.iter().map(|output| named("output", output.name));
         params.chain(outputs).try_for_each(|(name, source)| table.add(name, source))?;
     }
     Ok(())

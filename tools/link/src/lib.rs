@@ -30,8 +30,8 @@ mod waker;
 
 pub use address::Address;
 pub use bica_wire::model::{
-    Component, Description, Info, Invalid, Kind, Link, Modulation, NamedRequest, NamedSetting, Param, Placement, Plain,
-    State, Transition, Variant, Variants,
+    Component, Description, Invalid, Kind, Link, Modulation, NamedRequest, NamedSetting, Output, Param, Placement,
+    Plain, State, Transition, Variant, Variants,
 };
 pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, LogLine, Shown, Snapshot, Truth, happened};
 pub use cost_meter::{ComponentTime, CostMeter};

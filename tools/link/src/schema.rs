@@ -21,7 +21,7 @@ pub fn decode(schema: &OwnedNamedType, bytes: &[u8]) -> Option<Value> {
 /// Decodes the value of an output of a tree, as [`decode`]; `None` if the tree has no such output, or its schema is not known.
 #[must_use]
 pub fn decode_output(tree: &Description, component: usize, output: usize, bytes: &[u8]) -> Option<Value> {
-    decode(tree.components.get(component)?.info.get(output)?.schema.as_ref()?, bytes)
+    decode(tree.components.get(component)?.outputs.get(output)?.schema.as_ref()?, bytes)
 }
 
 /// Decodes a message that was encoded without its [blobs](bica_wire::blobs), as [`decode`]. A blob becomes a text with its size,

@@ -31,7 +31,7 @@ pub struct Options {
     /// Largest memory for images, bytes per session.
     pub image_bytes: usize,
     /// Largest memory for outputs, bytes per session.
-    pub info_bytes: usize,
+    pub output_bytes: usize,
 }
 
 impl Default for Options {
@@ -47,7 +47,7 @@ impl Default for Options {
             read_only: false,
             ring: Duration::from_mins(10),
             image_bytes: 96 << 20,
-            info_bytes: 64 << 20,
+            output_bytes: 64 << 20,
         }
     }
 }

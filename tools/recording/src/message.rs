@@ -8,7 +8,7 @@ use postcard_schema::schema::NamedType;
 use serde::{Deserialize, Serialize};
 
 use crate::blob::BlobRecord;
-use crate::information::InformationRecord;
+use crate::outputs::OutputsRecord;
 use crate::request::RequestRecord;
 
 /// Encoding of the messages in a file.
@@ -37,8 +37,8 @@ pub enum Channel {
     Log,
     /// [`Costs`]: time of the components.
     Costs,
-    /// [`InformationRecord`]: outputs of the active components.
-    Information,
+    /// [`OutputsRecord`]: outputs of the active components.
+    Outputs,
     /// [`HoldsRecord`]: holds and rates, if they changed in the cycle; only in a recording of a monitor.
     Holds,
 }
@@ -55,7 +55,7 @@ impl Channel {
         Self::Events,
         Self::Log,
         Self::Costs,
-        Self::Information,
+        Self::Outputs,
         Self::Holds,
     ];
 
@@ -84,7 +84,7 @@ impl Channel {
             Self::Events => "/bica/events",
             Self::Log => "/bica/log",
             Self::Costs => "/bica/costs",
-            Self::Information => "/bica/information",
+            Self::Outputs => "/bica/information",
             Self::Holds => "/bica/holds",
         }
     }
@@ -107,7 +107,7 @@ impl Channel {
             Self::Events => RunEvent::SCHEMA,
             Self::Log => LogLine::SCHEMA,
             Self::Costs => Costs::SCHEMA,
-            Self::Information => InformationRecord::SCHEMA,
+            Self::Outputs => OutputsRecord::SCHEMA,
             Self::Holds => HoldsRecord::SCHEMA,
         })
     }

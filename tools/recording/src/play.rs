@@ -97,9 +97,9 @@ fn check<R: Recordable>(header: &Header, robot: &R) -> Result<(), Invalid> {
     check_tree::<R>(header, "it is not played")?;
     let own = Description::of(&R::GRAPH).of_robot(robot);
     for (recorded, own) in header.tree.components.iter().zip(&own.components) {
-        for (info, own_info) in recorded.info.iter().zip(&own.info) {
-            if info.schema.is_some() && info.schema != own_info.schema {
-                let what = format!("the output `{}.{}` of the recording has another form", recorded.name, info.name);
+        for (output, own_output) in recorded.outputs.iter().zip(&own.outputs) {
+            if output.schema.is_some() && output.schema != own_output.schema {
+                let what = format!("the output `{}.{}` of the recording has another form", recorded.name, output.name);
                 return Err(Invalid::new(what, "play it with the program that recorded it"));
             }
         }
@@ -209,7 +209,7 @@ impl<R: Recordable, G: Fn() -> bool> Playing<'_, R, G> {
 
     /// Applies outputs and, in a recording of a monitor, holds and rates.
     fn values(&mut self, recorded: &RecordedCycle) {
-        for value in recorded.information.iter().flat_map(|record| &record.values) {
+        for value in recorded.outputs.iter().flat_map(|record| &record.values) {
             self.show.output(value.component, value.index, &value.value);
         }
         let Some(record) = &recorded.holds else { return };

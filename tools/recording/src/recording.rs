@@ -14,10 +14,10 @@ use crate::contents::{Contents, Part};
 use crate::error::Error;
 use crate::header::{Ending, Header};
 use crate::image_codec::ImageCoder;
-use crate::information::InformationRecord;
 use crate::layout::Layout;
 use crate::mcap::{Item, MAX_RECORD, Message, Reader};
 use crate::message::{Channel, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
+use crate::outputs::OutputsRecord;
 use crate::request::RequestRecord;
 
 /// Maximum number of large data of a cycle, and of large data that wait for their cycles. Recorders write no file that needs
@@ -49,7 +49,7 @@ pub struct RecordedCycle {
     /// Time of the components.
     pub costs: Option<Costs>,
     /// Values of outputs, in some cycles.
-    pub information: Option<InformationRecord>,
+    pub outputs: Option<OutputsRecord>,
     /// Holds and rates, if they changed and a monitor made the recording.
     pub holds: Option<HoldsRecord>,
 }
@@ -198,7 +198,7 @@ impl<R: Read> Recording<R> {
             Channel::Events => next.events.push(decode(message)?),
             Channel::Log => next.log.push(decode(message)?),
             Channel::Costs => next.costs = Some(decode(message)?),
-            Channel::Information => next.information = Some(decode(message)?),
+            Channel::Outputs => next.outputs = Some(decode(message)?),
             Channel::Holds => next.holds = Some(decode(message)?),
             Channel::Blobs => self.wait(message)?,
             Channel::Tick => {

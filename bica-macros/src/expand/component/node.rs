@@ -45,7 +45,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
                 transitions: &[#(#transitions),*],
                 takes_outcomes: { #(let _ = #outcomes;)* #takes_outcomes },
                 params: <Self as #p::Component>::PARAMS,
-                info: <Self as #p::Component>::INFO,
+                outputs: <Self as #p::Component>::OUTPUTS,
                 modulations: <Self as #p::Component>::MODULATIONS,
                 work: <Self as #p::Component>::WORK,
             }

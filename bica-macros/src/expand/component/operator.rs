@@ -5,26 +5,27 @@ use quote::{format_ident, quote, quote_spanned};
 
 use crate::expand::params::describe;
 use crate::expand::quoting::{at, option, placed, runtime};
-use bica_syntax::component::model::{Component, Info, Modulation, Placement};
+use bica_syntax::component::model::{Component, Modulation, Output, Placement};
 use bica_syntax::text;
 
 /// The descriptions, for `impl Component`.
 pub(super) fn descriptions(component: &Component) -> TokenStream {
     let p = runtime();
-    let infos = component.infos.iter().map(|info| {
+    let outputs = component.outputs.iter().map(|output| {
         let (name, doc, unit, ty) =
-            (text::name(&info.name), &info.doc, option(info.unit.as_ref()), text::written(&info.ty));
-        let placement = option(info.placement.as_ref().map(|placement| placed_at(info, placement)).as_ref());
-        quote!(#p::Info { name: #name, doc: #p::Doc::new(#doc), unit: #unit, ty: #ty, placement: #placement })
+            (text::name(&output.name), &output.doc, option(output.unit.as_ref()), text::written(&output.ty));
+        let placement = option(output.placement.as_ref().map(|placement| placed_at(output, placement)).as_ref());
+        quote!(#p::Output { name: #name, doc: #p::Doc::new(#doc), unit: #unit, ty: #ty, placement: #placement })
     });
-    let infos = (!component.infos.is_empty()).then(|| quote!(const INFO: &'static [#p::Info] = &[#(#infos),*];));
+    let outputs =
+        (!component.outputs.is_empty()).then(|| quote!(const OUTPUTS: &'static [#p::Output] = &[#(#outputs),*];));
     let modulations = (!component.modulations.is_empty()).then(|| modulations(&p, &component.modulations));
-    quote!(#infos #modulations)
+    quote!(#outputs #modulations)
 }
 
 /// The placement of an output. The compiler points at its type if it is not visual.
-fn placed_at(info: &Info, Placement { frame, child }: &Placement) -> TokenStream {
-    let (ty, place) = (&info.ty, at(&info.ty));
+fn placed_at(output: &Output, Placement { frame, child }: &Placement) -> TokenStream {
+    let (ty, place) = (&output.ty, at(&output.ty));
     let p = placed(&runtime(), place);
     match child {
         None => quote_spanned!(place => const { &#p::placed::<#ty>(#frame) }),
@@ -67,14 +68,14 @@ pub(crate) fn checks(p: &TokenStream, modulation: &Modulation, described: &Token
 /// The functions of `impl MemberOf`.
 pub(super) fn functions(component: &Component) -> TokenStream {
     let p = runtime();
-    let read = (!component.infos.is_empty()).then(|| read(&p, &component.infos));
+    let read = (!component.outputs.is_empty()).then(|| read(&p, &component.outputs));
     let call = (!component.modulations.is_empty()).then(|| call(&p, &component.modulations));
     quote!(#read #call)
 }
 
-fn read(p: &TokenStream, infos: &[Info]) -> TokenStream {
-    let arms = infos.iter().enumerate().map(|(index, info)| {
-        let (name, place) = (&info.name, at(&info.ty));
+fn read(p: &TokenStream, outputs: &[Output]) -> TokenStream {
+    let arms = outputs.iter().enumerate().map(|(index, output)| {
+        let (name, place) = (&output.name, at(&output.ty));
         let p = placed(p, place);
         let take = quote_spanned!(place => {
             use #p::Unfit as _;
@@ -83,7 +84,7 @@ fn read(p: &TokenStream, infos: &[Info]) -> TokenStream {
         quote!(#index => { let value = this.#name(); #take; })
     });
     quote! {
-        fn read_info<__S: #p::InfoSink>(tree: &__T, index: ::core::primitive::usize, sink: &mut __S) -> ::core::primitive::bool {
+        fn read_output<__S: #p::OutputSink>(tree: &__T, index: ::core::primitive::usize, sink: &mut __S) -> ::core::primitive::bool {
             let this = #p::component::<__T, Self>(tree);
             match index {
                 #(#arms)*

@@ -3,8 +3,8 @@
 use bica::prelude::*;
 use bica::visual;
 use bica_motion::pose::Pose2;
-use bica_player::info;
 use bica_player::perception::{Localization, Odometry};
+use bica_player::shapes;
 
 /// Pose in the field frame, in which the robot starts: in the middle of its goal, facing the field.
 pub const START: Pose2 = Pose2::new(-2.95, 0.0, 0.0);
@@ -41,6 +41,6 @@ impl FieldPose {
     /// Pose in the field frame.
     #[output(frame = "field")]
     fn field_pose(&self) -> visual::Pose2 {
-        info::pose(self.pose)
+        shapes::pose(self.pose)
     }
 }

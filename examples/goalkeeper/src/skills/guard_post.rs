@@ -5,9 +5,9 @@ use bica::visual;
 use bica_motion::bounds::clamp;
 use bica_motion::pose::{Pose2, rotate, wrap};
 use bica_motion::walk::Velocity;
-use bica_player::info;
 use bica_player::motion::Body;
 use bica_player::perception::BallDetector;
+use bica_player::shapes;
 use glam::Vec2;
 use libm::{atan2f, fabsf};
 
@@ -94,6 +94,6 @@ impl GuardPost {
     /// Way to the place, forward and left, with the turn.
     #[output(unit = "m, rad", frame = "robot")]
     fn way(&self) -> visual::Pose2 {
-        info::pose(self.way)
+        shapes::pose(self.way)
     }
 }

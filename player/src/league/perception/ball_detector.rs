@@ -16,7 +16,7 @@ use crate::league::senses::Object;
 use crate::output::CameraSelector;
 use crate::perception::ego_motion::EgoMotion;
 use crate::perception::{Bearing, Odometry};
-use crate::{MODEL, info};
+use crate::{MODEL, shapes};
 
 /// Memory of the ball.
 #[derive(Debug, Params)]
@@ -182,13 +182,13 @@ impl BallDetector {
     /// Most probable position of the ball now.
     #[output(unit = "m", frame = "robot")]
     fn ball_position(&self) -> Option<Ellipse> {
-        self.estimate().map(info::ellipse)
+        self.estimate().map(shapes::ellipse)
     }
 
     /// Velocity of the ball over the ground, x forward, y left; zero for a resting ball.
     #[output(unit = "m/s")]
     fn ball_velocity(&self) -> Point2 {
-        info::point(self.memory().velocity())
+        shapes::point(self.memory().velocity())
     }
 
     /// The same position with its covariance, m².

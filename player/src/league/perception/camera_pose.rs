@@ -10,7 +10,7 @@ use glam::{Affine3A, Vec2, Vec3};
 use crate::input::RobotState;
 use crate::league::input::CameraInput;
 use crate::perception::ego_motion::LastImage;
-use crate::{MODEL, info};
+use crate::{MODEL, shapes};
 
 /// The pose of the camera when it took the newest view, from the joint angles and the support foot.
 #[derive(Debug)]
@@ -41,7 +41,7 @@ impl CameraPose {
     /// Pose of the camera that took the newest view.
     #[output(frame = "robot", child = "camera")]
     fn camera_pose(&self) -> Option<Pose3> {
-        self.pose.as_ref().map(info::pose_in_space)
+        self.pose.as_ref().map(shapes::pose_in_space)
     }
 
     /// The model of the robot that carries the camera.

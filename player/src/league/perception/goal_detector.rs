@@ -6,12 +6,12 @@ use bica_motion::pose::Pose2;
 use glam::Vec2;
 
 use super::CameraPose;
-use crate::info;
 use crate::league::FIELD;
 use crate::league::input::CameraInput;
 use crate::league::senses::Object;
 use crate::perception::Odometry;
 use crate::perception::ego_motion::EgoMotion;
+use crate::shapes;
 
 /// Sees the attacked goal (the paper's "net") and remembers its position.
 #[derive(Debug)]
@@ -106,13 +106,13 @@ impl GoalDetector {
     /// Left and right post.
     #[output(unit = "m", frame = "robot")]
     fn goal_posts(&self) -> Option<[Point2; 2]> {
-        self.posts().map(|posts| posts.map(info::point))
+        self.posts().map(|posts| posts.map(shapes::point))
     }
 
     /// Middle of the back of the goal, with the direction out of the field.
     #[output(unit = "m", frame = "robot")]
     fn goal(&self) -> Option<VisualPose> {
         let out = self.out();
-        Some(info::pose(Pose2 { position: self.position()?, heading: libm::atan2f(out.y, out.x) }))
+        Some(shapes::pose(Pose2 { position: self.position()?, heading: libm::atan2f(out.y, out.x) }))
     }
 }

@@ -8,12 +8,12 @@ use glam::Vec2;
 use libm::atan2f;
 
 use super::CameraPose;
-use crate::info;
 use crate::league::FIELD;
 use crate::league::input::CameraInput;
 use crate::league::senses::Object;
 use crate::perception::Odometry;
 use crate::perception::ego_motion::EgoMotion;
+use crate::shapes;
 
 /// Least number of marks in a view that give a pose.
 const MARKS: f32 = 2.0;
@@ -55,19 +55,19 @@ impl Localization {
     /// Most probable pose on the field: x towards the attacked goal, from the centre.
     #[output(frame = "field")]
     fn robot_pose(&self) -> Option<visual::Pose2> {
-        self.pose().map(info::pose)
+        self.pose().map(shapes::pose)
     }
 
     /// Most probable pose of the odometry's frame on the field.
     #[output(frame = "field", child = "odometry")]
     fn odometry_origin(&self) -> Option<visual::Pose2> {
-        self.pose().map(|pose| info::pose(pose * self.ego_motion.pose().inverse()))
+        self.pose().map(|pose| shapes::pose(pose * self.ego_motion.pose().inverse()))
     }
 
     /// Left and right post of the attacked goal by the pose.
     #[output(unit = "m", frame = "robot")]
     fn post_positions(&self) -> Option<[Point2; 2]> {
-        self.posts().map(|posts| posts.map(info::point))
+        self.posts().map(|posts| posts.map(shapes::point))
     }
 
     /// The pose of the point on the ground between the feet in the field frame, x towards the attacked goal; `None` before the first

@@ -8,11 +8,11 @@ use glam::Vec2;
 use heapless::Vec;
 
 use super::CameraPose;
-use crate::info;
 use crate::league::input::CameraInput;
 use crate::league::senses::Object;
 use crate::perception::Odometry;
 use crate::perception::ego_motion::EgoMotion;
+use crate::shapes;
 
 /// Maximum number of robots.
 const ROBOTS: usize = 4;
@@ -64,6 +64,6 @@ impl RobotDetector {
     /// The positions.
     #[output(unit = "m", frame = "robot")]
     fn robot_positions(&self) -> List<Point2, ROBOTS> {
-        self.feet.iter().copied().map(info::point).collect()
+        self.feet.iter().copied().map(shapes::point).collect()
     }
 }

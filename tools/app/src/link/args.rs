@@ -26,17 +26,17 @@ pub(crate) struct Link {
 
 #[derive(Clone, Debug, Subcommand)]
 pub(super) enum LinkAction {
-    /// Print components, parameters with their values, information and modulations, and the actions of a simulated world
+    /// Print components, parameters with their values, outputs and modulations, and the actions of a simulated world
     Describe {
         /// Components to print [default: all]
         #[arg(value_name = "COMPONENT")]
         components: Vec<String>,
     },
-    /// Print states and information while they change, until Ctrl-C
+    /// Print states and outputs while they change, until Ctrl-C
     Watch {
-        /// Information to watch as well
+        /// Outputs to watch as well
         #[arg(value_name = "COMPONENT.NAME")]
-        info: Vec<String>,
+        outputs: Vec<String>,
         /// Watch every n-th cycle
         #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
         every: u16,
@@ -118,7 +118,7 @@ pub(super) enum LinkAction {
     },
 }
 
-/// What is watched besides states and information; not offered by a microcontroller.
+/// What is watched besides states and outputs; not offered by a microcontroller.
 #[derive(Clone, Debug, Args)]
 pub(super) struct WatchExtras {
     /// Print the conditions of the transitions of a component; may be given several times

@@ -38,9 +38,9 @@ pub(crate) fn run(args: &Link) -> Result<Outcome, Failure> {
     let mut monitor = Monitor { client, console: Console::new(args.json), take: args.take };
     match &args.action {
         LinkAction::Describe { components } => monitor.describe(components),
-        LinkAction::Watch { info, every, count, extras } => {
+        LinkAction::Watch { outputs, every, count, extras } => {
             monitor.watch_extras(extras, *every)?;
-            monitor.watch(info, *every, *count, extras.images.as_deref())
+            monitor.watch(outputs, *every, *count, extras.images.as_deref())
         }
         LinkAction::Pause => monitor.world(WorldChange::Pause),
         LinkAction::Resume => monitor.world(WorldChange::Resume),
@@ -149,8 +149,8 @@ impl Monitor {
     ) -> Result<Outcome, Failure> {
         self.client.watch(every)?;
         for path in paths {
-            let (component, info) = self.client.description().info(path)?;
-            self.client.watch_info(component, info, every)?;
+            let (component, output) = self.client.description().output(path)?;
+            self.client.watch_output(component, output, every)?;
         }
         let (mut seen, mut last) = (0, String::new());
         let (mut said, mut newest) = (Instant::now(), None);
@@ -174,8 +174,8 @@ impl Monitor {
                         return Ok(Outcome::Success);
                     }
                 }
-                Some(Event::Info { cycle, component, info, value }) => {
-                    self.show_info(cycle, component, info, value.as_deref())?;
+                Some(Event::Output { cycle, component, output, value }) => {
+                    self.show_output(cycle, component, output, value.as_deref())?;
                 }
                 Some(other) => self.show_extra(&other, images)?,
                 None => {}
@@ -217,13 +217,13 @@ impl Monitor {
         Ok(is_new)
     }
 
-    fn show_info(&self, cycle: u64, component: usize, info: usize, value: Option<&[u8]>) -> Result<(), Failure> {
+    fn show_output(&self, cycle: u64, component: usize, output: usize, value: Option<&[u8]>) -> Result<(), Failure> {
         let tree = self.client.description();
-        let value = value.and_then(|bytes| decode_output(tree, component, info, bytes));
+        let value = value.and_then(|bytes| decode_output(tree, component, output, bytes));
         let Some(component) = tree.components.get(component) else { return Ok(()) };
-        let Some(info) = component.info.get(info) else { return Ok(()) };
-        let name = format!("{}.{}", component.name, info.name);
-        let unit = info.unit.as_deref().unwrap_or_default();
+        let Some(output) = component.outputs.get(output) else { return Ok(()) };
+        let name = format!("{}.{}", component.name, output.name);
+        let unit = output.unit.as_deref().unwrap_or_default();
         let shown = value.as_ref().map_or_else(|| "too large for the link".to_owned(), ToString::to_string);
         self.console.print_row(&format!("cycle {cycle}"), &format!("{name} = {shown} {unit}"))?;
         self.line("bica/link-info/1", json!({ "cycle": cycle, "name": name, "value": value }))
@@ -355,10 +355,10 @@ fn describe_component(console: Console, component: &Component) -> Result<(), Fai
             format!("{} = {value} {} ({})", param.name, param.unit.as_deref().unwrap_or_default(), param.range());
         console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&param.doc))))?;
     }
-    for info in &component.info {
-        let unit = info.unit.as_deref().map(|unit| format!(", {unit}")).unwrap_or_default();
-        let text = format!("{}: {}{unit}", info.name, info.type_name);
-        console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&info.doc))))?;
+    for output in &component.outputs {
+        let unit = output.unit.as_deref().map(|unit| format!(", {unit}")).unwrap_or_default();
+        let text = format!("{}: {}{unit}", output.name, output.type_name);
+        console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&output.doc))))?;
     }
     component.modulations.iter().try_for_each(|modulation| describe_call(console, modulation))
 }

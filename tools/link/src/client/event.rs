@@ -19,7 +19,7 @@ pub enum Event {
     Snapshot(Snapshot),
     /// The value of an output of a component after a cycle in postcard's format, see [`decode_output`](crate::decode_output); none if
     /// it is too large for a packet.
-    Info { cycle: u64, component: usize, info: usize, value: Option<Vec<u8>> },
+    Output { cycle: u64, component: usize, output: usize, value: Option<Vec<u8>> },
     /// Parameters of a component changed; the new values are in the description.
     Params { component: usize },
     /// The lease.

@@ -20,7 +20,7 @@ type Key = (u8, usize, usize);
 const fn key(event: &Event) -> Option<Key> {
     Some(match *event {
         Event::Snapshot(_) => (0, 0, 0),
-        Event::Info { component, info, .. } => (1, component, info),
+        Event::Output { component, output, .. } => (1, component, output),
         Event::Params { component } => (2, component, 0),
         Event::Lease(_) => (3, 0, 0),
         Event::Conditions { component, .. } => (4, component, 0),
@@ -89,19 +89,19 @@ mod tests {
     #[test]
     fn lease_answer_stays_among_many_events() {
         let mut events = Events::default();
-        let info = |cycle, info| Event::Info { cycle, component: 0, info, value: None };
+        let output = |cycle, output| Event::Output { cycle, component: 0, output, value: None };
         let log = |time_us| Event::Log { time_us, level: 2, source: LogSource::Robot, text: String::new() };
         let answer = Answered { number: 7, cycle: 0, arrived: 0, values: Vec::new(), refused: None };
-        let first = [Event::Lease(LeaseState::default()), Event::Answer(answer), info(0, 1)];
+        let first = [Event::Lease(LeaseState::default()), Event::Answer(answer), output(0, 1)];
         for event in first.clone() {
             events.push(event);
         }
         for cycle in 0..20_000 {
-            events.push(if cycle % 2 == 0 { info(cycle, 0) } else { log(cycle) });
+            events.push(if cycle % 2 == 0 { output(cycle, 0) } else { log(cycle) });
         }
         assert!(events.0.len() <= MAX_EVENTS, "{}", events.0.len());
         assert_eq!(events.0.iter().take(3).collect::<Vec<_>>(), first.iter().collect::<Vec<_>>());
-        assert!(events.0.iter().rev().take(2).eq([&log(19_999), &info(19_998, 0)]));
+        assert!(events.0.iter().rev().take(2).eq([&log(19_999), &output(19_998, 0)]));
         assert!(events.take_answer(7).is_some());
     }
 }

@@ -3,8 +3,8 @@
 use std::time::{Duration, Instant};
 
 use bica_wire::message::{
-    Answer, AnswerResult, ComponentStates, GraphItem, InfoSchema, InfoValue, LeaseState, LogLine, Offers, ParamValues,
-    WorldState,
+    Answer, AnswerResult, ComponentStates, GraphItem, LeaseState, LogLine, Offers, OutputSchema, OutputValue,
+    ParamValues, WorldState,
 };
 use bica_wire::model::{Builder, Description, Messages};
 use bica_wire::{FromRobot, ToMonitor, ToMonitorExtra};
@@ -80,7 +80,7 @@ impl Inbox {
     /// Returns whether the schemas of all outputs were received, which a program on a computer sends.
     pub(super) fn has_schemas(&self) -> bool {
         let is_computer = self.attached.as_ref().is_some_and(|attached| attached.offers.contains(Offers::CONDITIONS));
-        let outputs = self.description.components.iter().map(|component| component.info.len()).enumerate();
+        let outputs = self.description.components.iter().map(|component| component.outputs.len()).enumerate();
         let last = outputs.rev().find(|(_, count)| *count > 0).map(|(component, count)| (component, count - 1));
         !is_computer || last.is_none() || last == self.last_schema
     }
@@ -149,8 +149,8 @@ impl Inbox {
                 self.partial = Some(Snapshot { info, states: Vec::new() });
             }
             ToMonitor::Components(states) => self.states(&states),
-            ToMonitor::Info(value) => self.info(&value),
-            ToMonitor::InfoSchema(part) => self.info_schema(&part),
+            ToMonitor::Output(value) => self.output(&value),
+            ToMonitor::OutputSchema(part) => self.output_schema(&part),
             ToMonitor::Params(values) => self.params(&values),
             ToMonitor::Lease(lease) => {
                 self.set_time(lease.time_us);
@@ -195,17 +195,17 @@ impl Inbox {
         }
     }
 
-    fn info(&mut self, value: &InfoValue<'_>) {
-        let (component, info) = (usize::from(value.component), usize::from(value.info));
-        self.events.push(Event::Info { cycle: value.cycle, component, info, value: value.bytes.map(Into::into) });
+    fn output(&mut self, value: &OutputValue<'_>) {
+        let (component, output) = (usize::from(value.component), usize::from(value.output));
+        self.events.push(Event::Output { cycle: value.cycle, component, output, value: value.bytes.map(Into::into) });
     }
 
-    fn info_schema(&mut self, &InfoSchema { component, info, last, bytes }: &InfoSchema<'_>) {
-        let schema = self.schema((component, info), last, bytes);
-        let (component, info) = (usize::from(component), usize::from(info));
-        let output = self.description.components.get_mut(component).and_then(|one| one.info.get_mut(info));
+    fn output_schema(&mut self, &OutputSchema { component, output, last, bytes }: &OutputSchema<'_>) {
+        let schema = self.schema((component, output), last, bytes);
+        let place = (usize::from(component), usize::from(output));
+        let output = self.description.components.get_mut(place.0).and_then(|one| one.outputs.get_mut(place.1));
         if last && let Some(output) = output {
-            self.last_schema = Some((component, info));
+            self.last_schema = Some(place);
             output.schema = schema;
         }
     }

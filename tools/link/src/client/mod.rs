@@ -57,7 +57,7 @@ pub struct Client {
     last_number: u32,
     /// Watched snapshots, outputs and other data, to watch them again after a reconnection.
     every: u16,
-    info: HashMap<(u16, u16), u16>,
+    outputs: HashMap<(u16, u16), u16>,
     extras: HashMap<ExtraKind, u16>,
 }
 
@@ -80,7 +80,7 @@ impl Client {
             kept: Instant::now(),
             last_number: 0,
             every: 0,
-            info: HashMap::new(),
+            outputs: HashMap::new(),
             extras: HashMap::new(),
         };
         client.attach()?;
@@ -122,8 +122,8 @@ impl Client {
         let lease = self.lease();
         next.last_number = self.last_number;
         next.watch(self.every)?;
-        for (&(component, info), &every) in &self.info {
-            next.watch_info(component.into(), info.into(), every)?;
+        for (&(component, output), &every) in &self.outputs {
+            next.watch_output(component.into(), output.into(), every)?;
         }
         for (&kind, &every) in &self.extras {
             next.watch_extra(kind, every)?;

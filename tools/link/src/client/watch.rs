@@ -1,7 +1,7 @@
 //! Selection of the watched data.
 
 use bica_wire::FromMonitor;
-use bica_wire::message::{ExtraKind, FromMonitorExtra, Offers, Watch, WatchInfo};
+use bica_wire::message::{ExtraKind, FromMonitorExtra, Offers, Watch, WatchOutput};
 
 use super::Client;
 use crate::error::Error;
@@ -20,14 +20,14 @@ impl Client {
     ///
     /// # Errors
     /// [`Error::Disconnected`].
-    pub fn watch_info(&mut self, component: usize, info: usize, every: u16) -> Result<(), Error> {
-        let (component, info) = (component as u16, info as u16);
+    pub fn watch_output(&mut self, component: usize, output: usize, every: u16) -> Result<(), Error> {
+        let (component, output) = (component as u16, output as u16);
         if every == 0 {
-            self.info.remove(&(component, info));
+            self.outputs.remove(&(component, output));
         } else {
-            self.info.insert((component, info), every);
+            self.outputs.insert((component, output), every);
         }
-        self.send(&FromMonitor::WatchInfo(WatchInfo { component, info, every }))
+        self.send(&FromMonitor::WatchOutput(WatchOutput { component, output, every }))
     }
 
     /// Watches conditions, costs or the true state in every n-th cycle, every n-th image, or all transitions, or sets a stop; 0

@@ -14,7 +14,7 @@ use super::cycle_data::CyclePool;
 use super::hub::{Command, Hub, Inbound};
 use super::key::Key;
 use super::options::ServerOptions;
-use super::outbox::{AnswerKind, Message, OutputSchema};
+use super::outbox::{AnswerKind, KnownSchema, Message};
 use super::pace::{LoopClock, Pace};
 use super::scene::WorldScenes;
 use super::stops::Stops;
@@ -57,7 +57,7 @@ pub(super) struct Control {
     /// Components whose parameters every monitor gets at the end of the cycle.
     pub(super) changed: Vec<u16>,
     /// Schemas of all outputs; none before the first request for them.
-    pub(super) schemas: Option<Arc<[OutputSchema]>>,
+    pub(super) schemas: Option<Arc<[KnownSchema]>>,
     /// Connections that get these schemas and all parameters at the end of the cycle.
     pub(super) readers: Vec<u64>,
     /// Numbers of the next cycle.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use bica_wire::message::{InfoValue, MAX_INFO_BYTES};
+use bica_wire::message::{MAX_OUTPUT_BYTES, OutputValue};
 use bica_wire::{ToMonitor, TooLarge};
 
 use super::extras::Extra;
@@ -35,7 +35,7 @@ pub(super) struct CycleData {
 #[derive(Clone, Debug)]
 struct Reading {
     component: u16,
-    info: u16,
+    output: u16,
     /// Place of the value in the bytes; none if it is too large.
     place: Option<Range<usize>>,
 }
@@ -56,16 +56,16 @@ impl CycleData {
     }
 
     /// Reads an output.
-    pub(super) fn read(&mut self, tree: &impl View, component: u16, info: u16) {
+    pub(super) fn read(&mut self, tree: &impl View, component: u16, output: u16) {
         // The room bounds the time that a large value takes.
-        if self.bytes.len() < self.used + MAX_INFO_BYTES {
-            self.bytes.resize(2 * (self.used + MAX_INFO_BYTES), 0);
+        if self.bytes.len() < self.used + MAX_OUTPUT_BYTES {
+            self.bytes.resize(2 * (self.used + MAX_OUTPUT_BYTES), 0);
         }
-        let room = &mut self.bytes[self.used..self.used + MAX_INFO_BYTES];
-        let Some(length) = tree.output(component, info, room) else { return };
+        let room = &mut self.bytes[self.used..self.used + MAX_OUTPUT_BYTES];
+        let Some(length) = tree.output(component, output, room) else { return };
         let place = length.ok().map(|length| self.used..self.used + length);
         self.used = place.as_ref().map_or(self.used, |place| place.end);
-        self.readings.push(Reading { component, info, place });
+        self.readings.push(Reading { component, output, place });
     }
 }
 
@@ -129,7 +129,7 @@ impl Part {
     pub(super) fn key(&self) -> Key {
         match self.value {
             Value::Snapshot => Key::Snapshot,
-            Value::Reading(index) => Key::Info(self.data.readings[index].component, self.data.readings[index].info),
+            Value::Reading(index) => Key::Output(self.data.readings[index].component, self.data.readings[index].output),
             Value::Extra(index) => self.data.extras[index].key(),
         }
     }
@@ -145,12 +145,12 @@ impl Part {
         match self.value {
             Value::Snapshot => data.snapshot.messages(|message| packets.push(message)),
             Value::Reading(index) => {
-                let Reading { component, info, place } = &data.readings[index];
+                let Reading { component, output, place } = &data.readings[index];
                 let bytes = place.clone().and_then(|place| data.bytes.get(place));
-                packets.push(&ToMonitor::Info(InfoValue {
+                packets.push(&ToMonitor::Output(OutputValue {
                     cycle: data.cycle,
                     component: *component,
-                    info: *info,
+                    output: *output,
                     bytes,
                 }))
             }
@@ -165,7 +165,7 @@ pub(super) mod tests {
 
     /// Data of a cycle with the values of outputs.
     pub(in crate::server) fn data(cycle: u64, outputs: &[u16]) -> Arc<CycleData> {
-        let reading = |&info: &u16| Reading { component: 0, info, place: None };
+        let reading = |&output: &u16| Reading { component: 0, output, place: None };
         Arc::new(CycleData { cycle, readings: outputs.iter().map(reading).collect(), ..CycleData::default() })
     }
 
@@ -174,7 +174,7 @@ pub(super) mod tests {
         let mut pool = CyclePool::default();
         let mut last = None;
         for cycle in 0..100 {
-            last = pool.fill(cycle, |data| data.readings.push(Reading { component: 0, info: 0, place: None }));
+            last = pool.fill(cycle, |data| data.readings.push(Reading { component: 0, output: 0, place: None }));
         }
         assert_eq!(last.unwrap().cycle, 99);
         assert_eq!(pool.0.len(), 2, "one is filled while the last one is sent");

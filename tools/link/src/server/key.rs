@@ -1,6 +1,6 @@
 //! Data that a monitor watches, other than images, transitions and stops.
 
-use bica_wire::message::{COSTS_CYCLES, ExtraKind, WatchInfo};
+use bica_wire::message::{COSTS_CYCLES, ExtraKind, WatchOutput};
 
 /// Data that a monitor watches, other than images, transitions and stops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -8,7 +8,7 @@ pub(super) enum Key {
     /// The snapshot: states of all components.
     Snapshot,
     /// An output: component and index.
-    Info(u16, u16),
+    Output(u16, u16),
     /// The conditions of a component.
     Conditions(u16),
     /// The costs.
@@ -19,8 +19,8 @@ pub(super) enum Key {
 
 impl Key {
     /// Returns the key that a message requests, and n for every n-th cycle.
-    pub(super) const fn of_info(watch: WatchInfo) -> (Self, u16) {
-        (Self::Info(watch.component, watch.info), watch.every)
+    pub(super) const fn of_output(watch: WatchOutput) -> (Self, u16) {
+        (Self::Output(watch.component, watch.output), watch.every)
     }
 
     /// Returns the key that a message requests, and n for every n-th cycle; none for images, transitions and stops.

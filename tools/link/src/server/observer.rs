@@ -18,7 +18,7 @@ use super::cycle_data::CycleData;
 use super::extras::Extra;
 use super::images::Images;
 use super::key::Key;
-use super::outbox::{AnswerKind, Message, OutputSchema};
+use super::outbox::{AnswerKind, KnownSchema, Message};
 use super::picture::Picture;
 use super::requests::lock;
 use super::scene::EncodedScene;
@@ -322,7 +322,7 @@ impl CycleData {
     fn read_keys(&mut self, keys: &[Key], tree: &impl View, conditions: &ConditionTable, time_us: u64) {
         for &key in keys {
             match key {
-                Key::Info(component, index) => self.read(tree, component, index),
+                Key::Output(component, index) => self.read(tree, component, index),
                 Key::Conditions(component) => self.extras.extend(conditions.read(component, time_us)),
                 Key::Snapshot | Key::Costs | Key::Truth => {}
             }
@@ -337,12 +337,13 @@ fn params(tree: &impl View, cycle: u64, component: u16) -> Vec<ParamValues> {
 }
 
 /// Returns the schemas of all outputs.
-fn schemas(tree: &impl View) -> Arc<[OutputSchema]> {
+fn schemas(tree: &impl View) -> Arc<[KnownSchema]> {
     let outputs = tree.graph().nodes.iter().enumerate().flat_map(|(component, node)| {
-        let schema = move |info| Some((component, info, tree.schema(component, info)?));
-        (0..node.info.len()).filter_map(schema)
+        let schema = move |output| Some((component, output, tree.schema(component, output)?));
+        (0..node.outputs.len()).filter_map(schema)
     });
-    let schema = |(component, info, schema)| OutputSchema { component: component as u16, info: info as u16, schema };
+    let schema =
+        |(component, output, schema)| KnownSchema { component: component as u16, output: output as u16, schema };
     outputs.map(schema).collect()
 }
 

@@ -7,8 +7,8 @@ use std::time::Duration;
 use bica::Graph;
 use bica::action::Action;
 use bica_wire::message::{
-    Answer, AnswerResult, Attached, Happened, InfoSchema, LeaseState, LogLine, LogSource, MAX_TEXT_BYTES, ParamValues,
-    Reached, RefusalCode, Requested, SCHEMA_PART_BYTES, Taken, Value, WorldState,
+    Answer, AnswerResult, Attached, Happened, LeaseState, LogLine, LogSource, MAX_TEXT_BYTES, OutputSchema,
+    ParamValues, Reached, RefusalCode, Requested, SCHEMA_PART_BYTES, Taken, Value, WorldState,
 };
 use bica_wire::{FromRobot, ToMonitor, ToMonitorExtra, TooLarge, describe, truncate};
 use postcard_schema::schema::NamedType;
@@ -37,7 +37,7 @@ const POLLS: u32 = 16;
 pub(super) enum Message {
     Attached(Attached<'static>),
     Describe(&'static Graph, &'static [Action], MessageSchemas),
-    Schemas(Arc<[OutputSchema]>),
+    Schemas(Arc<[KnownSchema]>),
     Lease(LeaseState),
     Params(Vec<ParamValues>),
     Answer {
@@ -68,9 +68,9 @@ pub(super) type MessageSchemas = [&'static NamedType; 2];
 
 /// Schema of an output.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct OutputSchema {
+pub(super) struct KnownSchema {
     pub(super) component: u16,
-    pub(super) info: u16,
+    pub(super) output: u16,
     pub(super) schema: &'static NamedType,
 }
 
@@ -238,9 +238,9 @@ impl Message {
                 let mut items = describe(graph).with_actions(actions);
                 items.try_for_each(|item| packets.push_robot(&FromRobot::GraphItem(item)))
             }
-            Self::Schemas(outputs) => outputs.iter().try_for_each(|&OutputSchema { component, info, schema }| {
+            Self::Schemas(outputs) => outputs.iter().try_for_each(|&KnownSchema { component, output, schema }| {
                 in_parts(schema, |last, bytes| {
-                    packets.push(&ToMonitor::InfoSchema(InfoSchema { component, info, last, bytes }))
+                    packets.push(&ToMonitor::OutputSchema(OutputSchema { component, output, last, bytes }))
                 })
             }),
             Self::Lease(lease) => packets.push(&ToMonitor::Lease(*lease)),
@@ -291,7 +291,7 @@ mod tests {
 
     /// Offers a message and data in each of 20 cycles; none of them is taken.
     fn offer(outbox: &Outbox, unsent: &mut Unsent) {
-        let watched = Arc::new(Watched::from([(Key::Info(0, 0), 1), (Key::Info(0, 1), 1000)]));
+        let watched = Arc::new(Watched::from([(Key::Output(0, 0), 1), (Key::Output(0, 1), 1000)]));
         for cycle in 0..20 {
             unsent.messages.push_back(Message::Happened(cycle, "".into(), "".into()));
             let data = data(cycle, &[0, 1]);
@@ -314,7 +314,7 @@ mod tests {
 
     /// The data of the last cycles.
     fn last() -> impl Iterator<Item = (Key, u64)> {
-        (12..20).flat_map(|cycle| [(Key::Snapshot, cycle), (Key::Info(0, 0), cycle)])
+        (12..20).flat_map(|cycle| [(Key::Snapshot, cycle), (Key::Output(0, 0), cycle)])
     }
 
     #[test]
@@ -322,7 +322,7 @@ mod tests {
         let (outbox, mut unsent) = (Outbox::default(), Unsent::default());
         offer(&outbox, &mut unsent);
         assert!(unsent.is_empty());
-        let older = [(Key::Snapshot, 11), (Key::Info(0, 0), 11), (Key::Info(0, 1), 0)];
+        let older = [(Key::Snapshot, 11), (Key::Output(0, 0), 11), (Key::Output(0, 1), 0)];
         assert_eq!(take(&outbox), ((0..20).collect(), older.into_iter().chain(last()).collect()));
     }
 

@@ -157,7 +157,7 @@ fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
                 Command::Attach
             }
             FromMonitor::Watch(watch) => Command::Watch(watch),
-            FromMonitor::WatchInfo(watch) => Command::WatchKey(Key::of_info(watch)),
+            FromMonitor::WatchOutput(watch) => Command::WatchKey(Key::of_output(watch)),
             FromMonitor::ReadParams => Command::ReadParams,
             FromMonitor::Lease(action) => Command::Lease(action),
             FromMonitor::Request(request) => Command::Request(Box::new(request)),

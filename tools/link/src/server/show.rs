@@ -62,8 +62,8 @@ impl<R: Robot> View for Shown<R> {
         Some(ComponentState { active, state, ..read::state(self.runner.robot(), index)? })
     }
 
-    fn output(&self, component: u16, info: u16, room: &mut [u8]) -> Option<Result<usize, TooLarge>> {
-        let value = self.outputs.get(&(component, info))?;
+    fn output(&self, component: u16, output: u16, room: &mut [u8]) -> Option<Result<usize, TooLarge>> {
+        let value = self.outputs.get(&(component, output))?;
         let Some(room) = room.get_mut(..value.len()).filter(|_| !value.is_empty()) else { return Some(Err(TooLarge)) };
         room.copy_from_slice(value);
         Some(Ok(value.len()))
@@ -73,8 +73,8 @@ impl<R: Robot> View for Shown<R> {
         read::params(self.runner.robot(), cycle, component, first)
     }
 
-    fn schema(&self, component: usize, info: usize) -> Option<&'static NamedType> {
-        read::schema(self.runner.robot(), component, info)
+    fn schema(&self, component: usize, output: usize) -> Option<&'static NamedType> {
+        read::schema(self.runner.robot(), component, output)
     }
 }
 
@@ -145,8 +145,8 @@ impl<R: Recordable> LinkShow<R> {
     }
 
     /// Stores the recorded value of an output in postcard's format; an empty value was too large to be recorded.
-    pub fn output(&mut self, component: u16, info: u16, value: &[u8]) {
-        let known = self.shown.outputs.entry((component, info)).or_default();
+    pub fn output(&mut self, component: u16, output: u16, value: &[u8]) {
+        let known = self.shown.outputs.entry((component, output)).or_default();
         known.clear();
         known.extend_from_slice(value);
     }

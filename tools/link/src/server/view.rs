@@ -1,6 +1,6 @@
 //! Access of the link to a tree after a cycle.
 
-use bica::info::{InfoSink, Information};
+use bica::output::{OutputSink, OutputType};
 use bica::{ComponentId, Graph, Tree};
 use bica_wire::message::{ComponentState, ParamValues};
 use bica_wire::{TooLarge, read};
@@ -15,13 +15,13 @@ pub(super) trait View {
     fn component_state(&self, index: usize) -> Option<ComponentState>;
 
     /// Writes the value of an output in postcard's format into `room`, and returns its length; none if there is no value.
-    fn output(&self, component: u16, info: u16, room: &mut [u8]) -> Option<Result<usize, TooLarge>>;
+    fn output(&self, component: u16, output: u16, room: &mut [u8]) -> Option<Result<usize, TooLarge>>;
 
     /// Values of a component's parameters from index `first` on; none if there are no more.
     fn param_values(&self, cycle: u64, component: u16, first: u16) -> Option<ParamValues>;
 
     /// Schema of an output; none if there is none.
-    fn schema(&self, component: usize, info: usize) -> Option<&'static NamedType>;
+    fn schema(&self, component: usize, output: usize) -> Option<&'static NamedType>;
 }
 
 impl<T: Tree> View for T {
@@ -33,9 +33,9 @@ impl<T: Tree> View for T {
         read::state(self, index)
     }
 
-    fn output(&self, component: u16, info: u16, room: &mut [u8]) -> Option<Result<usize, TooLarge>> {
+    fn output(&self, component: u16, output: u16, room: &mut [u8]) -> Option<Result<usize, TooLarge>> {
         let mut sink = Bytes { room, length: Err(TooLarge) };
-        let is_output = self.read_info(ComponentId::new(component.into()), usize::from(info), &mut sink);
+        let is_output = self.read_output(ComponentId::new(component.into()), usize::from(output), &mut sink);
         is_output.then_some(sink.length)
     }
 
@@ -43,8 +43,8 @@ impl<T: Tree> View for T {
         read::params(self, cycle, component, first)
     }
 
-    fn schema(&self, component: usize, info: usize) -> Option<&'static NamedType> {
-        read::schema(self, component, info)
+    fn schema(&self, component: usize, output: usize) -> Option<&'static NamedType> {
+        read::schema(self, component, output)
     }
 }
 
@@ -54,8 +54,8 @@ struct Bytes<'a> {
     length: Result<usize, TooLarge>,
 }
 
-impl InfoSink for Bytes<'_> {
-    fn take<V: Information>(&mut self, value: &V) {
+impl OutputSink for Bytes<'_> {
+    fn take<V: OutputType>(&mut self, value: &V) {
         self.length = postcard::to_slice(value, self.room).map(|bytes| bytes.len()).map_err(|_| TooLarge);
     }
 }

@@ -71,7 +71,7 @@ fn monitor_gets_all_of_a_paused_world_s_last_cycle(way: Way) {
     let (mut operator, mut slow) = (session.client(), session.client());
     let seldom = |client: &mut Client| {
         client.watch(10_000).unwrap();
-        client.watch_info(1, 0, 10_000).unwrap();
+        client.watch_output(1, 0, 10_000).unwrap();
         for kind in [CONDITIONS, ExtraKind::Truth, ExtraKind::Images] {
             client.watch_extra(kind, 10_000).unwrap();
         }
@@ -88,7 +88,7 @@ fn monitor_gets_all_of_a_paused_world_s_last_cycle(way: Way) {
             event(client, &format!("{missing:?} of cycle {last}"), |event| {
                 let (what, cycle) = match event {
                     Event::Snapshot(snapshot) => ("snapshot", snapshot.info.cycle),
-                    Event::Info { cycle, .. } => ("output", cycle),
+                    Event::Output { cycle, .. } => ("output", cycle),
                     Event::Conditions { time_us, .. } => ("conditions", time_us / CYCLE_US),
                     Event::Truth(truth) => ("truth", truth.time_us / CYCLE_US),
                     Event::Image(image) => ("image", image.number.into()),

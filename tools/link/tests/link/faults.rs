@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use bica::runner::Request;
 use bica_link::{Address, Client, ClientOptions, Error, Event, LinkServer, Memory, ServerOptions};
-use bica_wire::message::{ClockMode, Hello, Hold, Setting, Value, Watch, WatchInfo};
+use bica_wire::message::{ClockMode, Hello, Hold, Setting, Value, Watch, WatchOutput};
 use bica_wire::{Encoder, FromMonitor, FromRobot, MAX_PACKET, SCHEMA, ToRobot};
 
 use crate::proxy::Proxy;
@@ -44,7 +44,7 @@ fn monitor_that_never_reads_is_disconnected() {
     for message in [
         FromMonitor::Attach,
         FromMonitor::Watch(Watch { every: 1 }),
-        FromMonitor::WatchInfo(WatchInfo { component: 1, info: 0, every: 1 }),
+        FromMonitor::WatchOutput(WatchOutput { component: 1, output: 0, every: 1 }),
     ] {
         deaf.write_all(&monitor_packet(&mut encoder, &message)).unwrap();
     }

@@ -72,11 +72,11 @@ fn any_tree_is_watched_tuned_and_held() {
     let mut client = Client::connect(&board.address, ClientOptions::default()).unwrap();
     assert_eq!((&*client.description().name, client.description().components.len()), ("CartTree", 3));
     client.watch(1).unwrap();
-    client.watch_info(RANGE, 0, 1).unwrap();
+    client.watch_output(RANGE, 0, 1).unwrap();
     let until = Instant::now() + LIMIT;
     let value = loop {
         assert!(Instant::now() < until);
-        if let Some(Event::Info { component: RANGE, info: 0, value, .. }) = client.poll(LIMIT).unwrap() {
+        if let Some(Event::Output { component: RANGE, output: 0, value, .. }) = client.poll(LIMIT).unwrap() {
             break value.unwrap();
         }
     };

@@ -16,7 +16,7 @@ use crate::wall::Wall;
 fn the_description_is_that_of_the_robot_in_its_world(way: Way) {
     let session = Session::start_world(way);
     let described = Description::of(&CartTree::GRAPH).with_actions(Wall::new().list()).of_robot(&CartTree::new());
-    assert!(described.messages.is_some() && described.components[1].info[0].schema.is_some());
+    assert!(described.messages.is_some() && described.components[1].outputs[0].schema.is_some());
     assert_eq!(*session.client().description(), described);
 }
 
@@ -27,11 +27,11 @@ fn attaching_and_watching_change_no_command(way: Way) {
     let mut clients: Vec<_> = (0..MONITORS).map(|_| session.client()).collect();
     for client in &mut clients {
         client.watch(1).unwrap();
-        client.watch_info(1, 0, 1).unwrap();
+        client.watch_output(1, 0, 1).unwrap();
     }
     for (index, client) in clients.iter_mut().enumerate() {
         snapshot(client, &format!("monitor {index}"), |snapshot| snapshot.states.len() == 3);
-        next!(client, "information", Event::Info { .. } => ());
+        next!(client, "an output", Event::Output { .. } => ());
     }
     session.run(500);
     drop(clients);
@@ -64,18 +64,18 @@ fn output_comes_in_every_nth_cycle(way: Way) {
     let mut client = session.client();
     // Another monitor watches the same in each cycle.
     let mut other = session.client();
-    other.watch_info(1, 0, 1).unwrap();
-    client.watch_info(1, 0, 7).unwrap();
+    other.watch_output(1, 0, 1).unwrap();
+    client.watch_output(1, 0, 7).unwrap();
     for _ in 0..10 {
-        let info =
-            next!(&mut client, "information", Event::Info { cycle, component: 1, info: 0, value } => (cycle, value));
-        let (cycle, value) = info;
+        let output =
+            next!(&mut client, "an output", Event::Output { cycle, component: 1, output: 0, value } => (cycle, value));
+        let (cycle, value) = output;
         let value = decode_output(client.description(), 1, 0, &value.expect("a value")).expect("its schema");
         let distance = value[0].as_f64().expect("a number");
         assert!((distance * distance - value[1].as_f64().expect("a number")).abs() < 1e-4, "{value}");
         assert!(cycle.is_multiple_of(7), "{cycle}");
     }
-    client.watch_info(1, 0, 0).unwrap();
+    client.watch_output(1, 0, 0).unwrap();
     session.run(50);
     while client.poll(Duration::from_millis(50)).unwrap().is_some() {}
     session.run(50);

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use crate::protocol::{InfoSample, SessionId, ToPage};
+use crate::protocol::{OutputSample, SessionId, ToPage};
 
 /// Queue of messages to a page. No method blocks.
 pub trait Outbox: Send + Sync {
@@ -41,7 +41,7 @@ impl Frame {
     pub fn replacing(mut self, older: Self) -> Self {
         if let (Self::Message(newer), Self::Message(older)) = (&mut self, older) {
             match (Arc::make_mut(newer), Arc::unwrap_or_clone(older)) {
-                (ToPage::Info { samples, .. }, ToPage::Info { samples: mut all, .. }) => {
+                (ToPage::Output { samples, .. }, ToPage::Output { samples: mut all, .. }) => {
                     all.append(samples);
                     limit_samples(&mut all);
                     *samples = all;
@@ -59,11 +59,11 @@ impl Frame {
 }
 
 /// Drops all but the newest sample of each output if there are too many.
-fn limit_samples(samples: &mut Vec<InfoSample>) {
+fn limit_samples(samples: &mut Vec<OutputSample>) {
     if samples.len() > MAX_ENTRIES {
         let mut seen = HashSet::new();
         samples.reverse();
-        samples.retain(|&InfoSample(component, info, ..)| seen.insert((component, info)));
+        samples.retain(|&OutputSample(component, output, ..)| seen.insert((component, output)));
         samples.reverse();
     }
 }
@@ -82,8 +82,8 @@ pub struct Key {
 pub enum DataKind {
     /// [`ToPage::Update`].
     Update,
-    /// [`ToPage::Info`].
-    Info,
+    /// [`ToPage::Output`].
+    Output,
     /// [`ToPage::Conditions`] of a component.
     Conditions(usize),
     /// [`ToPage::Costs`].

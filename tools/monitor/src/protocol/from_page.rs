@@ -33,11 +33,23 @@ pub enum Request {
     Watch { watch: Watch },
     /// Reads the state after the last cycle that is not later than `time_us`, with outputs, each by component and index.
     /// [[`Moment`](super::Moment); if `image`, a binary frame with the last image that is not later and this `id` precedes the answer]
-    At { time_us: u64, info: Vec<(usize, usize)>, image: bool },
+    At {
+        time_us: u64,
+        #[serde(rename = "info")]
+        outputs: Vec<(usize, usize)>,
+        image: bool,
+    },
     /// Reads the activation timeline of an interval; bars and gaps shorter than the resolution may be merged. [list of [`Row`](super::Row)]
     Timeline { from_us: u64, until_us: u64, resolution_us: u64 },
     /// Reads samples of an output, thinned to at most `points`. [list of `[time_us, value]`]
-    Series { component: usize, info: usize, from_us: u64, until_us: u64, points: usize },
+    Series {
+        component: usize,
+        #[serde(rename = "info")]
+        output: usize,
+        from_us: u64,
+        until_us: u64,
+        points: usize,
+    },
     /// Reads the last log lines of an interval, at most `limit`. [list of [`LogLine`](super::LogLine)]
     Lines { from_us: u64, until_us: u64, limit: usize },
     /// Makes the page the operator of a session, unless there is another one.

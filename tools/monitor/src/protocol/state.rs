@@ -28,7 +28,7 @@ impl From<ComponentNow> for ComponentState {
 
 /// A value of an output; a list in JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct InfoSample(
+pub struct OutputSample(
     /// Component.
     pub usize,
     /// Output.
@@ -113,7 +113,8 @@ pub struct Moment {
     /// State of each component.
     pub components: Vec<ComponentNow>,
     /// The requested outputs: of each the last sample that is not later.
-    pub info: Vec<InfoSample>,
+    #[serde(rename = "info")]
+    pub outputs: Vec<OutputSample>,
     /// Number of the image, if there is one.
     pub image: Option<u32>,
     /// True state, if it is known.

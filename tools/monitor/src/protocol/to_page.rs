@@ -5,7 +5,7 @@ use bica_link::{Description, Plain, Shown};
 use serde::Serialize;
 
 use super::{
-    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Hit, InfoSample, Limits, LogLine, SessionId,
+    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Hit, Limits, LogLine, OutputSample, SessionId,
     SessionInfo, SourceChange, SourceState, World,
 };
 
@@ -51,7 +51,8 @@ pub enum ToPage {
         changes: Vec<(usize, u64, bool, Option<u16>)>,
     },
     /// Values of watched outputs, in order of time.
-    Info { session: SessionId, samples: Vec<InfoSample> },
+    #[serde(rename = "info")]
+    Output { session: SessionId, samples: Vec<OutputSample> },
     /// Conditions of the transitions of watched components.
     Conditions {
         session: SessionId,

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 #[serde(default, deny_unknown_fields)]
 pub struct Watch {
     /// Outputs.
-    pub info: Vec<WatchInfo>,
+    #[serde(rename = "info")]
+    pub outputs: Vec<WatchOutput>,
     /// Components whose conditions of transitions are sent.
     pub conditions: Vec<usize>,
     /// Images, if wanted.
@@ -21,11 +22,12 @@ pub struct Watch {
 /// An output to watch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct WatchInfo {
+pub struct WatchOutput {
     /// Component.
     pub component: usize,
     /// Output.
-    pub info: usize,
+    #[serde(rename = "info")]
+    pub output: usize,
     /// Interval of the values, cycles: the value of every n-th cycle is sent.
     pub every: u16,
 }

@@ -228,7 +228,7 @@ mod tests {
 
     #[test]
     fn the_next_transition_is_the_one_that_was_taken() {
-        let limits = Limits { ring_us: None, info_bytes: 0, image_bytes: 0 };
+        let limits = Limits { ring_us: None, output_bytes: 0, image_bytes: 0 };
         let mut history = History::new(limits, 1);
         for (time, transition) in [(10, 1), (20, 2), (30, 1)] {
             history.taken.push(time, (0, transition));

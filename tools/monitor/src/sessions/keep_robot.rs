@@ -59,7 +59,7 @@ fn write(session: &Session, mut recorder: MonitorRecorder<File>) -> io::Result<R
             part.images.iter().try_for_each(|image| recorder.image(&received(image)))?;
             let states = part.states.into_iter().map(ComponentState::from);
             let mut cycle = RecordedCycle::received(part.cycle, part.time_us, states);
-            for (component, output, value) in &part.info {
+            for (component, output, value) in &part.outputs {
                 cycle.add_output(*component, *output, Some(value));
             }
             part.told.into_iter().for_each(|told| told.record(&mut cycle));

@@ -6,7 +6,7 @@ use super::recorded_images::read_image;
 use super::session::Session;
 use crate::pages::PageId;
 use crate::protocol::binary::PixelKind;
-use crate::protocol::{ComponentNow, Failed, InfoSample, Moment, Request};
+use crate::protocol::{ComponentNow, Failed, Moment, OutputSample, Request};
 
 /// Largest number of entries of a series or a list in one answer.
 const MAX_POINTS: usize = 20_000;
@@ -15,15 +15,15 @@ impl Session {
     /// Answers a query of the history.
     pub(super) fn query(&self, page: PageId, id: u32, request: &Request) -> Result<Value, Failed> {
         match *request {
-            Request::At { time_us, ref info, image } => self.at(page, id, time_us, info, image),
+            Request::At { time_us, ref outputs, image } => self.at(page, id, time_us, outputs, image),
             Request::Timeline { from_us, until_us, resolution_us } => {
                 Ok(json!(self.shared().history.rows(from_us, until_us, resolution_us)))
             }
-            Request::Series { component, info, from_us, until_us, points } => {
+            Request::Series { component, output, from_us, until_us, points } => {
                 let points = points.min(MAX_POINTS);
                 let shared = self.shared();
-                let decode = |value: &[u8]| shared.decode(component, info, value);
-                Ok(json!(shared.history.info.series(component, info, from_us, until_us, points, decode)))
+                let decode = |value: &[u8]| shared.decode(component, output, value);
+                Ok(json!(shared.history.outputs.series(component, output, from_us, until_us, points, decode)))
             }
             Request::Lines { from_us, until_us, limit } => {
                 let tree = self.description()?;
@@ -38,7 +38,7 @@ impl Session {
         page: PageId,
         id: u32,
         time_us: u64,
-        info: &[(usize, usize)],
+        outputs: &[(usize, usize)],
         with_image: bool,
     ) -> Result<Value, Failed> {
         let (moment, image, place) = {
@@ -47,16 +47,16 @@ impl Session {
             let none = || Failed::new("nothing is known of this session yet", "wait until it is connected");
             let (time, cycle, components): (u64, u64, Vec<ComponentNow>) =
                 history.states.at(time_us).ok_or_else(none)?;
-            let sample = |&(component, info): &(usize, usize)| {
-                let (at, value) = history.info.at(component, info, time)?;
-                Some(InfoSample(component, info, at, shared.decode(component, info, value)))
+            let sample = |&(component, output): &(usize, usize)| {
+                let (at, value) = history.outputs.at(component, output, time)?;
+                Some(OutputSample(component, output, at, shared.decode(component, output, value)))
             };
             let image = history.images.at(time).cloned();
             let place = shared.recorded.at(time);
             let moment = Moment {
                 time_us: time,
                 cycle,
-                info: info.iter().take(MAX_POINTS).filter_map(sample).collect(),
+                outputs: outputs.iter().take(MAX_POINTS).filter_map(sample).collect(),
                 image: image.as_ref().map(|image| image.number).or(place.map(|(number, ..)| number)),
                 truth: history.truths.at(time),
                 conditions: shared.conditions_at(page, time, &components),

@@ -368,7 +368,7 @@ impl Session {
 fn limits(options: &Options, kind: SessionKind) -> Limits {
     Limits {
         ring_us: (kind != SessionKind::Recording).then_some(options.ring.as_micros() as u64),
-        info_bytes: options.info_bytes,
+        output_bytes: options.output_bytes,
         image_bytes: options.image_bytes,
     }
 }

@@ -17,7 +17,7 @@ use crate::pages::{DataKind, Frame};
 use crate::program::Image;
 use crate::protocol::binary::PixelKind;
 use crate::protocol::{
-    ComponentNow, Condition, Conditions, Costs, InfoSample, SessionKind, ToPage, Watch, WatchImages,
+    ComponentNow, Condition, Conditions, Costs, OutputSample, SessionKind, ToPage, Watch, WatchImages,
 };
 
 /// Interval of updates of the pages.
@@ -95,12 +95,12 @@ impl Session {
 
     /// Sends the newest values of the data that a page begins to watch, except images.
     fn send_newest(&self, shared: &Shared, page: PageId, before: &Watch, watch: &Watch) {
-        let known: BTreeSet<_> = before.info.iter().map(|one| (one.component, one.info)).collect();
+        let known: BTreeSet<_> = before.outputs.iter().map(|one| (one.component, one.output)).collect();
         let last = shared.history.span().1;
-        let new = watch.info.iter().map(|one| (one.component, one.info)).filter(|one| !known.contains(one));
-        let newest = new.filter_map(|(component, info)| {
-            let (time, value) = shared.history.info.at(component, info, last)?;
-            Some(InfoSample(component, info, time, shared.decode(component, info, value)))
+        let new = watch.outputs.iter().map(|one| (one.component, one.output)).filter(|one| !known.contains(one));
+        let newest = new.filter_map(|(component, output)| {
+            let (time, value) = shared.history.outputs.at(component, output, last)?;
+            Some(OutputSample(component, output, time, shared.decode(component, output, value)))
         });
         self.send_samples(page, newest.collect());
         for &component in watch.conditions.iter().filter(|one| !before.conditions.contains(one)) {
@@ -120,10 +120,10 @@ impl Session {
         }
     }
 
-    fn send_samples(&self, page: PageId, samples: Vec<InfoSample>) {
+    fn send_samples(&self, page: PageId, samples: Vec<OutputSample>) {
         if !samples.is_empty() {
-            let message = ToPage::Info { session: self.id, samples };
-            self.pages.data(page, self.key(DataKind::Info), Frame::of(message));
+            let message = ToPage::Output { session: self.id, samples };
+            self.pages.data(page, self.key(DataKind::Output), Frame::of(message));
         }
     }
 
@@ -188,12 +188,12 @@ impl Session {
         let shared = self.shared();
         for (&page, watch) in &shared.watching.by_page {
             let wanted: BTreeMap<_, _> =
-                watch.info.iter().map(|one| ((one.component, one.info), u64::from(one.every.max(1)))).collect();
+                watch.outputs.iter().map(|one| ((one.component, one.output), u64::from(one.every.max(1)))).collect();
             let is_wanted = |Sample { cycle, component, output, .. }: &&Sample| {
                 wanted.get(&(*component, *output)).is_some_and(|every| cycle.is_multiple_of(*every))
             };
             let decoded = |&Sample { component, output, time_us, ref value, .. }: &Sample| {
-                InfoSample(component, output, time_us, shared.decode(component, output, value))
+                OutputSample(component, output, time_us, shared.decode(component, output, value))
             };
             self.send_samples(page, samples.iter().filter(is_wanted).map(decoded).collect());
         }

@@ -79,7 +79,7 @@ fn message(frame: Frame) -> Message {
 mod tests {
     use super::*;
     use crate::pages::DataKind;
-    use crate::protocol::InfoSample;
+    use crate::protocol::OutputSample;
 
     fn next_text(queue: &Queue) -> Option<String> {
         queue.pop().map(|message| message.into_text().unwrap().to_string())
@@ -88,10 +88,10 @@ mod tests {
     #[test]
     fn only_sample_of_an_output_is_kept_among_others() {
         let queue = Queue::default();
-        let key = Key { session: 1, kind: DataKind::Info };
+        let key = Key { session: 1, kind: DataKind::Output };
         for time_us in 0..10_000 {
-            let sample = InfoSample(0, usize::from(time_us > 0), time_us, serde_json::Value::Null);
-            queue.data(key, Frame::of(ToPage::Info { session: 1, samples: vec![sample] }));
+            let sample = OutputSample(0, usize::from(time_us > 0), time_us, serde_json::Value::Null);
+            queue.data(key, Frame::of(ToPage::Output { session: 1, samples: vec![sample] }));
         }
         let message: serde_json::Value = serde_json::from_str(&next_text(&queue).unwrap()).unwrap();
         let samples = message["samples"].as_array().unwrap();

@@ -159,7 +159,7 @@ impl Page {
 
     /// Returns the state after the last cycle.
     pub(crate) fn now(&self) -> Value {
-        self.ask(Request::At { time_us: u64::MAX, info: vec![], image: false }).unwrap()
+        self.ask(Request::At { time_us: u64::MAX, outputs: vec![], image: false }).unwrap()
     }
 
     /// Pauses the world; returns the state after the last cycle.

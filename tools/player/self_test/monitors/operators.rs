@@ -86,15 +86,15 @@ pub(super) fn requests(image: &Path) -> Outcome {
 
 /// Waits until the table of the adjusted colours is in use.
 fn tuned_colours(client: &mut Client) -> Result<bool, Box<dyn std::error::Error>> {
-    let (component, info) = client.description().info("Colours.is_tuned")?;
-    client.watch_info(component, info, 10)?;
+    let (component, output) = client.description().output("Colours.is_tuned")?;
+    client.watch_output(component, output, 10)?;
     loop {
         match client.poll(super::PATIENCE)? {
-            Some(Event::Info { value: Some(value), .. }) if value == [1] => break,
+            Some(Event::Output { value: Some(value), .. }) if value == [1] => break,
             Some(_) => {}
             None => return Ok(false),
         }
     }
-    client.watch_info(component, info, 0)?;
+    client.watch_output(component, output, 0)?;
     Ok(true)
 }

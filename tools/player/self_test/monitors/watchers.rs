@@ -71,17 +71,17 @@ fn watch_everything(address: SocketAddr) -> Outcome {
     let mut client = attach(address)?;
     expect_eq(&client.description().hash, &format!("{:016x}", Forward::HASH))?;
     let nodes = Forward::GRAPH.nodes;
-    let counts = |params: usize, info: usize, modulations: usize| (params, info, modulations);
+    let counts = |params: usize, outputs: usize, modulations: usize| (params, outputs, modulations);
     let described = client.description().components.iter();
-    let described = described.map(|one| counts(one.params.len(), one.info.len(), one.modulations.len()));
-    let expected = nodes.iter().map(|node| counts(node.param_count(), node.info.len(), node.modulations.len()));
+    let described = described.map(|one| counts(one.params.len(), one.outputs.len(), one.modulations.len()));
+    let expected = nodes.iter().map(|node| counts(node.param_count(), node.outputs.len(), node.modulations.len()));
     expect_eq(&described.collect::<Vec<_>>(), &expected.collect())?;
     client.watch(1)?;
     let mut wanted = BTreeSet::new();
     for (component, node) in nodes.iter().enumerate() {
-        for info in 0..node.info.len() {
-            client.watch_info(component, info, 1)?;
-            wanted.insert((component, info));
+        for output in 0..node.outputs.len() {
+            client.watch_output(component, output, 1)?;
+            wanted.insert((component, output));
         }
     }
     let (mut snapshots, until) = (0, Instant::now() + PATIENCE);
@@ -92,13 +92,13 @@ fn watch_everything(address: SocketAddr) -> Outcome {
                 expect_eq(&snapshot.states.len(), &nodes.len())?;
                 snapshots += 1;
             }
-            Some(Event::Info { component, info, value, .. }) => {
-                let decode = |bytes: Vec<u8>| decode_output(client.description(), component, info, &bytes);
+            Some(Event::Output { component, output, value, .. }) => {
+                let decode = |bytes: Vec<u8>| decode_output(client.description(), component, output, &bytes);
                 if value.and_then(decode).is_none() {
                     let node = &nodes[component];
-                    return Err(format!("{}.{} cannot be decoded", node.name, node.info[info].name).into());
+                    return Err(format!("{}.{} cannot be decoded", node.name, node.outputs[output].name).into());
                 }
-                wanted.remove(&(component, info));
+                wanted.remove(&(component, output));
             }
             _ => {}
         }

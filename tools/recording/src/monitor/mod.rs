@@ -10,8 +10,8 @@ use bica_wire::message::ComponentState;
 use crate::blob::{BlobIndex, code};
 use crate::header::{Ending, Header};
 use crate::image_codec::ImageCoder;
-use crate::information::InformationValue;
 use crate::message::{Channel, HoldsRecord, Tick, TreeRecord};
+use crate::outputs::OutputRecord;
 use crate::recorder::{Output, Report, Sink};
 use crate::recording::{MAX_BLOBS, RecordedCycle};
 
@@ -53,7 +53,7 @@ impl RecordedCycle {
     pub fn add_output(&mut self, component: usize, index: usize, value: Option<&[u8]>) {
         let (component, index) = (component as u16, index as u16);
         let value = value.unwrap_or_default().to_vec();
-        self.information.get_or_insert_default().values.push(InformationValue { component, index, value });
+        self.outputs.get_or_insert_default().values.push(OutputRecord { component, index, value });
     }
 }
 
@@ -116,8 +116,8 @@ impl<S: Sink> MonitorRecorder<S> {
         cycle.requests.iter().for_each(|request| output.message(Channel::Requests, time, request));
         cycle.events.iter().for_each(|event| output.message(Channel::Events, time, event));
         cycle.log.iter().for_each(|line| output.message(Channel::Log, time, line));
-        if let Some(information) = &cycle.information {
-            output.message(Channel::Information, time, information);
+        if let Some(outputs) = &cycle.outputs {
+            output.message(Channel::Outputs, time, outputs);
         }
         if let Some(holds) = cycle.holds.as_ref().filter(|holds| self.holds.as_ref() != Some(holds)) {
             output.message(Channel::Holds, time, holds);

@@ -27,8 +27,8 @@ use crc32fast::Hasher;
 
 use crate::figure::Figure;
 use crate::header::{Ending, Header, ImagePolicy};
-use crate::information;
 use crate::message::{Costs, LogLine, RunEvent, TreeRecord};
+use crate::outputs;
 use crate::part::Split;
 use crate::request::RequestRecord;
 use measured::Measured;
@@ -65,12 +65,12 @@ pub struct RecorderOptions {
     /// Size of a chunk, bytes before compression. Chunks are written earlier if time has passed.
     pub chunk_bytes: usize,
     /// Number of cycles from one record of outputs to the next; 0: none.
-    pub information_every: u64,
+    pub outputs_every: u64,
 }
 
 impl Default for RecorderOptions {
     fn default() -> Self {
-        Self { backpressure: Backpressure::Drop, cycles: 6000, images: 32, chunk_bytes: 1 << 20, information_every: 10 }
+        Self { backpressure: Backpressure::Drop, cycles: 6000, images: 32, chunk_bytes: 1 << 20, outputs_every: 10 }
     }
 }
 
@@ -89,9 +89,9 @@ pub struct Recorder {
     tree: TreeRecord,
     last_tree: TreeRecord,
     cycles: u64,
-    information_every: u64,
+    outputs_every: u64,
     /// Size of the largest record of outputs so far, bytes.
-    information_bytes: usize,
+    outputs_bytes: usize,
     /// Size of the largest sensor values and command so far, encoded.
     message_bytes: usize,
     /// Actions of the world.
@@ -185,8 +185,8 @@ impl Recorder {
             tree: TreeRecord::default(),
             last_tree: TreeRecord::default(),
             cycles: 0,
-            information_every: options.information_every,
-            information_bytes: 0,
+            outputs_every: options.outputs_every,
+            outputs_bytes: 0,
             message_bytes: 0,
             actions: header.tree.actions.clone(),
             works: Works::of(&header.tree),
@@ -348,12 +348,12 @@ impl<R: Recordable> Observer<R> for Recorder {
         self.message_bytes = self.message_bytes.max(message.len());
         read_tree(cycle.robot, &mut self.tree);
         // Offset by half a period: in a simulated world cycle 0 and each tenth cycle after it already have an image.
-        let every = self.information_every;
+        let every = self.outputs_every;
         let due = every > 0 && (self.cycles + every / 2).is_multiple_of(every);
-        let information = due.then(|| {
-            let mut bytes = Vec::with_capacity(self.information_bytes);
-            information::append(cycle.robot, &mut bytes);
-            self.information_bytes = self.information_bytes.max(bytes.len());
+        let outputs = due.then(|| {
+            let mut bytes = Vec::with_capacity(self.outputs_bytes);
+            outputs::append(cycle.robot, &mut bytes);
+            self.outputs_bytes = self.outputs_bytes.max(bytes.len());
             bytes
         });
         self.cycles += 1;
@@ -367,7 +367,7 @@ impl<R: Recordable> Observer<R> for Recorder {
             message,
             sensor_bytes,
             blobs,
-            information,
+            outputs,
             tree: changed.then(|| self.tree.clone()),
         }));
         if let Some(meter) = self.meter.take() {

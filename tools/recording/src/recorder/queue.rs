@@ -28,8 +28,8 @@ pub(super) struct CycleValues {
     pub(super) message: Vec<u8>,
     pub(super) sensor_bytes: usize,
     pub(super) blobs: BlobValues,
-    /// In some cycles an [`InformationRecord`](crate::InformationRecord) in postcard's format.
-    pub(super) information: Option<Vec<u8>>,
+    /// In some cycles an [`OutputsRecord`](crate::OutputsRecord) in postcard's format.
+    pub(super) outputs: Option<Vec<u8>>,
     /// Active components and states, if they changed.
     pub(super) tree: Option<TreeRecord>,
 }

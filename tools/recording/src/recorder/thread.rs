@@ -109,7 +109,7 @@ impl<S: Sink> Writing<S> {
     }
 
     fn cycle(&mut self, values: CycleValues, queue: &Queue) -> io::Result<()> {
-        let CycleValues { instant, requests, message, sensor_bytes, blobs, information, tree } = values;
+        let CycleValues { instant, requests, message, sensor_bytes, blobs, outputs, tree } = values;
         let (sensors, command) = message.split_at(sensor_bytes);
         let time = self.header.nanoseconds(instant);
         self.last_time = time;
@@ -142,8 +142,8 @@ impl<S: Sink> Writing<S> {
             self.output.encoded(Channel::Sensors, time, sensors);
             self.output.encoded(Channel::Command, time, command);
         }
-        if let Some(information) = &information {
-            self.output.encoded(Channel::Information, time, information);
+        if let Some(outputs) = &outputs {
+            self.output.encoded(Channel::Outputs, time, outputs);
         }
         let is_changed = tree.is_some();
         if let Some(tree) = tree {

@@ -26,7 +26,7 @@ impl Names {
     pub fn new(description: &Description, namespace: &str) -> Result<Self, Invalid> {
         let namespace = checked_namespace(namespace)?;
         let placements =
-            description.components.iter().flat_map(|one| &one.info).filter_map(|info| info.placement.as_ref());
+            description.components.iter().flat_map(|one| &one.outputs).filter_map(|output| output.placement.as_ref());
         let map = placements.filter(|one| one.child.as_deref() == Some("odometry")).map(|one| one.frame.clone()).next();
         let (node, common) = (snake(&description.name), Vec::new());
         Ok(Self { namespace: format!("/{namespace}"), node, map, common })

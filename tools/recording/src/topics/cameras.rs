@@ -19,7 +19,8 @@ impl Cameras {
     /// Returns the frames of a robot.
     #[must_use]
     pub fn new(tree: &Description) -> Self {
-        let placements = tree.components.iter().flat_map(|one| &one.info).filter_map(|info| info.placement.as_ref());
+        let placements =
+            tree.components.iter().flat_map(|one| &one.outputs).filter_map(|output| output.placement.as_ref());
         let is_in_image = |shape: &str| shape.starts_with("Image") || shape == CALIBRATION;
         let mut frames = placements.filter(|one| is_in_image(&one.shape)).map(|one| &one.frame);
         let first = frames.next().filter(|first| frames.all(|other| other == *first));

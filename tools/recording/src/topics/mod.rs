@@ -14,10 +14,10 @@ use serde_json::{Map, Value, json};
 use crate::blob::BlobRecord;
 use crate::header::{Header, Topics};
 use crate::image_codec::ImageCoder;
-use crate::information::InformationRecord;
 use crate::mcap::Compression;
 use crate::message::{Channel, Costs, LogLine, RunEvent, TreeRecord};
 use crate::names::NameTable;
+use crate::outputs::OutputsRecord;
 use crate::recording::{MAX_BLOBS, MAX_CYCLE_BYTES};
 use crate::request::RequestRecord;
 use crate::ros::{self, Names, Sent, parameter_value};
@@ -146,9 +146,9 @@ impl Deriver {
                 }
             }
             Channel::Blobs => self.wait(time, data),
-            Channel::Information => {
+            Channel::Outputs => {
                 if let Ok(record) = postcard::from_bytes(data) {
-                    self.information(time, &record, all);
+                    self.outputs(time, &record, all);
                 }
             }
             Channel::Sensors | Channel::Command | Channel::Costs if all => self.numbers(channel, data),
@@ -244,7 +244,7 @@ impl Deriver {
         }
     }
 
-    fn information(&mut self, time: u64, record: &InformationRecord, all: bool) {
+    fn outputs(&mut self, time: u64, record: &OutputsRecord, all: bool) {
         let is_due = self.shown[1].is_none_or(|shown| time >= shown.saturating_add(OUTPUTS_AFTER));
         let mut values = HashMap::new();
         for value in &record.values {

@@ -6,11 +6,11 @@ use std::io::Read;
 
 use bica::runner::OwnedRequest;
 use bica::{ComponentId, Hold};
-use bica_link::{Component, Description, Info as Information, State};
+use bica_link::{Component, Description, Output, State};
 use bica_recording::repair::{recover, trim};
 use bica_recording::{
-    Error, Header, HoldsRecord, Info, InformationRecord, InformationValue, LogLine, LogSource, MonitorRecorder,
-    ReceivedImage, RecordedCycle, Recording, Report, RequestRecord, RunEvent, Tick, TreeRecord,
+    Error, Header, HoldsRecord, Info, LogLine, LogSource, MonitorRecorder, OutputRecord, OutputsRecord, ReceivedImage,
+    RecordedCycle, Recording, Report, RequestRecord, RunEvent, Tick, TreeRecord,
 };
 use bica_wire::message::Offers;
 use postcard_schema::Schema;
@@ -42,7 +42,7 @@ fn description() -> Description {
         end: None,
         before: None,
     };
-    let info = Information {
+    let output = Output {
         name: text("seen"),
         doc: String::new(),
         unit: Some(text("m")),
@@ -51,7 +51,7 @@ fn description() -> Description {
         schema: Some(Seen::SCHEMA.into()),
     };
     let states = vec![state("dark", true), state("bright", false)];
-    let blinker = Component { name: text("Blinker"), states, info: vec![info], ..Component::default() };
+    let blinker = Component { name: text("Blinker"), states, outputs: vec![output], ..Component::default() };
     let counter = Component { name: text("Counter"), ..Component::default() };
     let components = vec![blinker, counter];
     Description { name: text("Lamp"), hash: text("0123"), cycle_hz: 100.0, components, ..Description::default() }
@@ -72,10 +72,10 @@ fn cycle(number: u64) -> RecordedCycle {
         rates: vec![None, Some(25.0)],
     };
     let value = postcard::to_stdvec(&Seen { number, at: (0.5, f32::NAN) }).expect("memory");
-    let value = InformationValue { component: 0, index: 0, value };
+    let value = OutputRecord { component: 0, index: 0, value };
     let mut cycle = RecordedCycle { tick, tree, ..RecordedCycle::default() };
     cycle.holds = [0, 15].contains(&number).then_some(holds);
-    cycle.information = number.is_multiple_of(10).then(|| InformationRecord { values: vec![value] });
+    cycle.outputs = number.is_multiple_of(10).then(|| OutputsRecord { values: vec![value] });
     match number {
         3 => cycle.requests.push(RequestRecord::Tree(OwnedRequest::Hold { component: COUNTER, hold: Hold::Latent })),
         4 => cycle.log.push(LogLine { level: 3, source: LogSource::Monitor, text: "hot".to_owned() }),

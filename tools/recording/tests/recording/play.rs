@@ -90,7 +90,7 @@ fn monitor_sees_what_was_recorded() {
     let report = played(&file, 0.0, |client| {
         assert_eq!((client.description().name.as_str(), client.is_realtime()), ("Cart", true));
         client.watch(1).unwrap();
-        client.watch_info(1, 0, 1).unwrap();
+        client.watch_output(1, 0, 1).unwrap();
         client.watch_extra(ExtraKind::Images, 1).unwrap();
         let mut missing = BTreeSet::from(["snapshot", "held", "output", "image", "log", "event", "request", "gain"]);
         until(client, "cycle like the recorded one", |client, event| {
@@ -108,9 +108,9 @@ fn monitor_sees_what_was_recorded() {
                         missing.remove("held");
                     }
                 }
-                Event::Info { cycle, value, .. } => {
+                Event::Output { cycle, value, .. } => {
                     let cycle = (cycle % 60) as usize;
-                    let values = recorded[..=cycle].iter().rev().find_map(|recorded| recorded.information.as_ref());
+                    let values = recorded[..=cycle].iter().rev().find_map(|recorded| recorded.outputs.as_ref());
                     let of_recording = values.and_then(|record| record.values.iter().find(|one| one.component == 1));
                     if let Some(of_recording) = of_recording {
                         assert_eq!(value.as_deref(), Some(&of_recording.value[..]), "cycle {cycle}");

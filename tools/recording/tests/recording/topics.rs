@@ -6,10 +6,10 @@ use std::io::Cursor;
 use bica::runner::Runner;
 use bica::visual::{CameraCalibration, ImageCircle, ImageSegment, Point2, Pose2, Scan};
 use bica::{Blob, Format};
-use bica_link::{Component, Description, Info as Output, Placement};
+use bica_link::{Component, Description, Output, Placement};
 use bica_recording::repair::{recover, trim};
 use bica_recording::{
-    Header, ImagePolicy, InformationRecord, InformationValue, MonitorRecorder, ReceivedImage, RecordedCycle, Recorder,
+    Header, ImagePolicy, MonitorRecorder, OutputRecord, OutputsRecord, ReceivedImage, RecordedCycle, Recorder,
     RecorderOptions, Tick, Topics, TreeRecord,
 };
 use bica_wire::message::Offers;
@@ -158,14 +158,14 @@ fn outputs() -> [Seen; 6] {
 
 /// Records a robot of which only a description is known.
 fn monitored(seconds: u64) -> Messages {
-    let info = outputs().map(|(shape, frame, child, schema, _)| {
+    let described = outputs().map(|(shape, frame, child, schema, _)| {
         let [shape, frame] = [shape, frame].map(str::to_owned);
         let placement = Some(Placement { shape: shape.clone(), frame, child: child.map(str::to_owned) });
         let schema = Some(schema.into());
         let type_name = if shape == "Point2" { "(Option<Point2>, Option<Point2>)" } else { "" }.to_owned();
         Output { name: shape, doc: String::new(), unit: None, type_name, placement, schema }
     });
-    let component = Component { name: "Seeing".to_owned(), info: info.to_vec(), ..Component::default() };
+    let component = Component { name: "Seeing".to_owned(), outputs: described.to_vec(), ..Component::default() };
     let description = Description {
         name: "Robot".to_owned(),
         cycle_hz: 100.0,
@@ -184,7 +184,7 @@ fn monitored(seconds: u64) -> Messages {
         }
         let values = outputs().into_iter().enumerate().map(|(index, (.., value))| {
             // Each second the component sees something in its first half.
-            InformationValue { component: 0, index: index as u16, value }
+            OutputRecord { component: 0, index: index as u16, value }
         });
         let active = number % 100 < 50;
         let values = if active { values.collect() } else { Vec::new() };
@@ -193,7 +193,7 @@ fn monitored(seconds: u64) -> Messages {
             tree: TreeRecord { active: vec![active.into()], states: vec![u8::MAX] },
             ..RecordedCycle::default()
         };
-        cycle.information = number.is_multiple_of(2).then_some(InformationRecord { values });
+        cycle.outputs = number.is_multiple_of(2).then_some(OutputsRecord { values });
         recorder.cycle(&cycle).expect("memory");
     }
     assert_eq!(recorder.finish(None, 0).reason, None);

@@ -60,10 +60,10 @@ fn every_value_is_restored_bit_for_bit() {
 #[test]
 fn outputs_are_recorded_in_each_tenth_cycle() {
     let (cycles, _) = cycles(&recorded(60)[..]);
-    let with: Vec<_> = cycles.iter().filter(|cycle| cycle.information.is_some()).collect();
+    let with: Vec<_> = cycles.iter().filter(|cycle| cycle.outputs.is_some()).collect();
     assert_eq!(with.iter().map(|cycle| cycle.tick.cycle).collect::<Vec<_>>(), [5, 15, 25, 35, 45, 55]);
     for cycle in with {
-        let values = &cycle.information.as_ref().expect("filtered").values;
+        let values = &cycle.outputs.as_ref().expect("filtered").values;
         if !cycle.tree.is_active(1) {
             assert_eq!(values, &[]);
             continue;
@@ -76,9 +76,9 @@ fn outputs_are_recorded_in_each_tenth_cycle() {
         assert!(even == Some((command as u32).is_multiple_of(2)) && hour.is_nan());
     }
     let header = header(ImagePolicy::All);
-    let info = &header.tree.components[1].info;
+    let info = &header.tree.components[1].outputs;
     assert_eq!((info[0].name.as_str(), info[1].unit.as_deref()), ("runs", Some("h")));
-    let schemas: Vec<_> = header.tree.components[1].info.iter().map(|output| output.schema.clone()).collect();
+    let schemas: Vec<_> = header.tree.components[1].outputs.iter().map(|output| output.schema.clone()).collect();
     assert_eq!(schemas, [Some(u32::SCHEMA.into()), Some(<(Option<bool>, f32)>::SCHEMA.into())]);
 }
 

@@ -6,7 +6,7 @@ use bica::runner::Request;
 use bica::{ComponentId, Hold, Value};
 use bica_link::{Client, Error};
 use bica_recording::ros::{Twist, Vector3};
-use bica_wire::model::{Description, Info, Kind, Param, Plain};
+use bica_wire::model::{Description, Kind, Output, Param, Plain};
 
 /// Arguments of a modulation that moves a robot: speed ahead, m/s, turning speed to the left, rad/s, and speed to the left, m/s.
 const ARGUMENTS: [&str; 3] = ["forward", "turn", "left"];
@@ -15,8 +15,8 @@ const SILENCE: Duration = Duration::from_millis(500);
 
 /// Returns the components with an output that gives the place of a frame.
 fn guides(description: &Description) -> Vec<ComponentId> {
-    let is_place = |info: &Info| info.placement.as_ref().is_some_and(|one| one.child.is_some());
-    let components = description.components.iter().enumerate().filter(|(_, one)| one.info.iter().any(is_place));
+    let is_place = |output: &Output| output.placement.as_ref().is_some_and(|one| one.child.is_some());
+    let components = description.components.iter().enumerate().filter(|(_, one)| one.outputs.iter().any(is_place));
     components.map(|(index, _)| ComponentId::new(index)).collect()
 }
 

@@ -214,9 +214,9 @@ impl Bridge {
         if self.topics.is_costs(topic) && link.offers().contains(Offers::COSTS) {
             link.watch_extra(ExtraKind::Costs, every)?;
         }
-        for (component, info) in self.topics.sources(topic) {
-            let is_needed = self.topics.of_output(component, info).any(|other| self.network.is_heard(other));
-            link.watch_info(component, info, u16::from(is_needed))?;
+        for (component, output) in self.topics.sources(topic) {
+            let is_needed = self.topics.of_output(component, output).any(|other| self.network.is_heard(other));
+            link.watch_output(component, output, u16::from(is_needed))?;
         }
         Ok(())
     }
@@ -249,13 +249,13 @@ impl Bridge {
     fn event(&mut self, event: Event) {
         match event {
             Event::Snapshot(snapshot) => self.snapshot(&snapshot),
-            Event::Info { cycle, component, info, value } => {
-                let decode = |bytes: Vec<u8>| decode_output(self.robot.link.description(), component, info, &bytes);
+            Event::Output { cycle, component, output, value } => {
+                let decode = |bytes: Vec<u8>| decode_output(self.robot.link.description(), component, output, &bytes);
                 let Some(value) = value.and_then(decode) else { return };
                 if self.times.back().is_some_and(|(last, _)| *last >= cycle) {
-                    self.value(cycle, (component, info), &value);
+                    self.value(cycle, (component, output), &value);
                 } else if self.waiting.len() < MAX_WAITING {
-                    self.waiting.push((cycle, (component, info), value));
+                    self.waiting.push((cycle, (component, output), value));
                 }
             }
             Event::Params { component } => self.changed(component),

@@ -66,10 +66,10 @@ pub(super) fn component_parts(component: &Component, text: &str) -> Vec<Part> {
         let facts = [Fact::new("role", hook.role.word())].into_iter().chain(states);
         add("hook", &hook.function, "code", facts.collect());
     }
-    for info in &component.info {
-        let ty = info.ty.iter().map(|ty| Fact::new("type", &*ty.text));
-        let unit = info.unit.iter().map(|unit| Fact::new("unit", &**unit));
-        add("output", &info.function, "code", ty.chain(unit).collect());
+    for output in &component.outputs {
+        let ty = output.ty.iter().map(|ty| Fact::new("type", &*ty.text));
+        let unit = output.unit.iter().map(|unit| Fact::new("unit", &**unit));
+        add("output", &output.function, "code", ty.chain(unit).collect());
     }
     component.modulations.iter().for_each(|one| add("modulation", &one.function, "code", Vec::new()));
     for work in &component.work {

@@ -32,7 +32,8 @@ pub struct Component {
     /// Functions with `#[entry]`, `#[exit]`, `#[before]`, `#[start]` or `#[stop]`.
     pub hooks: Vec<Hook>,
     /// Functions with `#[output]`.
-    pub info: Vec<Info>,
+    #[serde(rename = "info")]
+    pub outputs: Vec<Output>,
     /// Functions with `#[modulation]`.
     pub modulations: Vec<Modulation>,
     /// Functions with `#[work]`; more than one is a mistake.
@@ -49,10 +50,10 @@ impl Component {
         let states = self.states.iter().map(|state| &state.function);
         let transitions = self.transitions.iter().map(|transition| &transition.function);
         let hooks = self.hooks.iter().map(|hook| &hook.function);
-        let info = self.info.iter().map(|info| &info.function);
+        let outputs = self.outputs.iter().map(|output| &output.function);
         let modulations = self.modulations.iter().map(|modulation| &modulation.function);
         let all = self.step.iter().chain(states).chain(transitions).chain(hooks);
-        all.chain(info).chain(modulations).chain(self.work.iter().map(|work| &work.function)).chain(&self.others)
+        all.chain(outputs).chain(modulations).chain(self.work.iter().map(|work| &work.function)).chain(&self.others)
     }
 
     /// Returns the function with that name.
@@ -269,7 +270,7 @@ impl HookRole {
 
 /// An output: a getter with `#[output]`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Info {
+pub struct Output {
     /// Its function.
     pub function: Function,
     /// The attribute.

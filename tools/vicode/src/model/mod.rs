@@ -14,7 +14,7 @@ use bica_syntax::code::Code;
 use serde::Serialize;
 
 pub use self::component::{
-    Arrow, Component, Hook, HookRole, Info, Modulation, Options, Setting, Sources, State, Transition, Work,
+    Arrow, Component, Hook, HookRole, Modulation, Options, Output, Setting, Sources, State, Transition, Work,
 };
 pub use self::function::{Argument, Docs, Function, Input, LinkKind};
 pub use self::params::{Key, Parameter, ParameterGroup};

@@ -9,7 +9,7 @@ use syn::{
 
 use super::{Source, docs};
 use crate::model::{
-    Argument, Arrow, Component, Docs, Function, Hook, HookRole, Info, Input, LinkKind, Modulation, Name, Options,
+    Argument, Arrow, Component, Docs, Function, Hook, HookRole, Input, LinkKind, Modulation, Name, Options, Output,
     Setting, Sources, Span, State, Transition, Work,
 };
 
@@ -85,7 +85,12 @@ fn sort(source: &Source<'_>, component: &mut Component, item: &ImplItemFn, own: 
         }
         "output" => {
             let ty = if let ReturnType::Type(_, ty) = &item.sig.output { Some(written(source, ty)) } else { None };
-            component.info.push(Info { function, attribute, unit: syntax::info(first).unwrap_or_default().0, ty });
+            component.outputs.push(Output {
+                function,
+                attribute,
+                unit: syntax::output(first).unwrap_or_default().0,
+                ty,
+            });
         }
         "modulation" => component.modulations.push(Modulation { function, attribute }),
         "work" => component.work.push(Work { function, attribute }),

@@ -41,7 +41,7 @@ fn model(component: &Component) -> Value {
             json!([(one.name(), doc), one.from, one.to, after_ms, is_parameter, when, one.guard.times, carries])
         }),
         "links": links,
-        "info": list(&component.info, |one| json!([named(&one.function), one.unit, one.ty.as_ref().unwrap().text])),
+        "info": list(&component.outputs, |one| json!([named(&one.function), one.unit, one.ty.as_ref().unwrap().text])),
         "modulations": list(&component.modulations, |one| {
             json!([named(&one.function), list(&one.function.arguments, |one| json!(one.name.text))])
         }),

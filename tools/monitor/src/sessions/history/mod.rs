@@ -1,7 +1,7 @@
 //! History of a session.
 
 mod images;
-mod info;
+mod outputs;
 mod part;
 mod states;
 mod timed;
@@ -16,7 +16,7 @@ use bica_link::Description;
 use crate::protocol::{Costs, LogLine};
 
 pub(super) use images::Images;
-pub(super) use info::InfoStore;
+pub(super) use outputs::OutputStore;
 pub(super) use states::{Change, States};
 pub(super) use timed::Timed;
 pub(super) use told::Told;
@@ -31,7 +31,7 @@ pub(super) struct Limits {
     /// Largest age, µs; none for a recording.
     pub(super) ring_us: Option<u64>,
     /// Memory of outputs, bytes.
-    pub(super) info_bytes: usize,
+    pub(super) output_bytes: usize,
     /// Memory of images, bytes.
     pub(super) image_bytes: usize,
 }
@@ -41,7 +41,7 @@ pub(super) struct Limits {
 pub(super) struct History {
     limits: Limits,
     pub(super) states: States,
-    pub(super) info: InfoStore,
+    pub(super) outputs: OutputStore,
     pub(super) images: Images,
     /// Entries of the log.
     pub(super) told: Timed<Told>,
@@ -68,14 +68,14 @@ impl History {
     /// Begins a gap, which ends with the next cycle that is added.
     pub(super) fn interrupt(&mut self) {
         self.states.interrupt();
-        self.info.interrupt();
+        self.outputs.interrupt();
         let time_us = self.span().1;
         self.conditions.values_mut().for_each(|known| known.push(time_us, None));
     }
 
     /// Returns the memory of outputs and images, bytes.
     pub(super) const fn bytes(&self) -> usize {
-        self.info.bytes() + self.images.bytes()
+        self.outputs.bytes() + self.images.bytes()
     }
 
     /// Returns the last lines of the log in an interval, oldest first, with the names of the tree.
@@ -105,7 +105,7 @@ impl History {
         if let Some(ring) = self.limits.ring_us {
             let horizon = last.saturating_sub(ring);
             self.states.evict(horizon);
-            self.info.evict(horizon);
+            self.outputs.evict(horizon);
             self.images.evict(horizon);
             self.told.evict(horizon);
             self.truths.evict(horizon);
@@ -115,9 +115,9 @@ impl History {
             self.conditions.values_mut().for_each(|known| known.evict_states(horizon));
         }
         let mut horizon = first;
-        while self.info.bytes() > self.limits.info_bytes && horizon < last {
+        while self.outputs.bytes() > self.limits.output_bytes && horizon < last {
             horizon += ((last - first) / 8).max(1);
-            self.info.evict(horizon);
+            self.outputs.evict(horizon);
         }
     }
 }

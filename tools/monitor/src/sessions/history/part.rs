@@ -14,7 +14,7 @@ pub(crate) struct CyclePart {
     /// States of all components after it.
     pub(crate) states: Vec<ComponentNow>,
     /// Component, index and value in postcard's format of outputs that came or changed.
-    pub(crate) info: Vec<(usize, usize, Box<[u8]>)>,
+    pub(crate) outputs: Vec<(usize, usize, Box<[u8]>)>,
     /// Entries of the log.
     pub(crate) told: Vec<Told>,
     /// Images.
@@ -30,19 +30,19 @@ impl History {
         let Some((_, _, mut states)) = self.states.at(first) else { return Vec::new() };
         let changes = self.states.changes().skip_while(|change| change.time_us <= first);
         let mut changes = changes.take_while(|change| change.time_us <= last).peekable();
-        let mut info = self.info.part(after_us, last, until_us).into_iter().peekable();
+        let mut outputs = self.outputs.part(after_us, last, until_us).into_iter().peekable();
         let mut told = self.told.between(after_us.map_or(0, |after| after + 1), last).peekable();
         let mut images = self.images.part(after_us, last).cloned().peekable();
         let cycle = |(time_us, cycle): (u64, u64)| {
             while let Some(change) = changes.next_if(|change| change.time_us <= time_us) {
                 states[usize::from(change.component)] = change.now;
             }
-            let info = std::iter::from_fn(|| info.next_if(|sample| sample.0 <= time_us));
+            let outputs = std::iter::from_fn(|| outputs.next_if(|sample| sample.0 <= time_us));
             CyclePart {
                 time_us,
                 cycle,
                 states: states.clone(),
-                info: info.map(|(_, component, index, value)| (component, index, value)).collect(),
+                outputs: outputs.map(|(_, component, index, value)| (component, index, value)).collect(),
                 told: std::iter::from_fn(|| told.next_if(|(time, _)| *time <= time_us))
                     .map(|(_, told)| told.clone())
                     .collect(),
@@ -62,12 +62,12 @@ mod tests {
 
     /// History of 20 cycles of one component, which is active in every fourth cycle.
     fn history() -> History {
-        let mut history = History::new(Limits { ring_us: None, info_bytes: 1000, image_bytes: 1000 }, 1);
+        let mut history = History::new(Limits { ring_us: None, output_bytes: 1000, image_bytes: 1000 }, 1);
         for cycle in 0..20 {
             let time_us = cycle * 1000;
             history.states.push(time_us, cycle, [(cycle % 4 == 0, Hold::Tree, None, None)].into_iter());
             // The value changes in cycle 10.
-            history.info.push(0, 1, time_us, &[cycle as u8 / 10]);
+            history.outputs.push(0, 1, time_us, &[cycle as u8 / 10]);
             if cycle % 5 == 2 {
                 let image = Image {
                     number: cycle as u32,
@@ -104,7 +104,8 @@ mod tests {
             };
             assert_eq!(with(&|one| one.images.len() == 1), [2, 7, 12, 17], "{size}");
             assert_eq!(with(&|one| one.told.len() == 1), [2, 7, 12, 17], "{size}");
-            let values: Vec<_> = all.iter().flat_map(|one| one.info.iter().map(|info| (one.cycle, &*info.2))).collect();
+            let values: Vec<_> =
+                all.iter().flat_map(|one| one.outputs.iter().map(|output| (one.cycle, &*output.2))).collect();
             assert_eq!(
                 values,
                 [(0, &[0][..]), (10, &[1]), (17, &[1])],
@@ -117,9 +118,9 @@ mod tests {
     fn the_first_part_has_what_was_known_before_it() {
         let mut history = history();
         history.states.evict(5000);
-        history.info.evict(5000);
+        history.outputs.evict(5000);
         let part = history.part(None, u64::MAX, 1);
         assert_eq!((part[0].cycle, part[0].states[0].0), (5, false));
-        assert_eq!(part[0].info.iter().map(|info| &*info.2).collect::<Vec<_>>(), [[0]]);
+        assert_eq!(part[0].outputs.iter().map(|output| &*output.2).collect::<Vec<_>>(), [[0]]);
     }
 }

@@ -105,7 +105,7 @@ mod tests {
 
     /// History of one component, from `(active, state)` in each ms.
     fn history(states: &[(bool, u16)], ring_us: Option<u64>) -> History {
-        let mut history = History::new(Limits { ring_us, info_bytes: 1000, image_bytes: 1000 }, 1);
+        let mut history = History::new(Limits { ring_us, output_bytes: 1000, image_bytes: 1000 }, 1);
         for (index, &(active, state)) in states.iter().enumerate() {
             let one = (active, Hold::Tree, Some(state), None);
             history.states.push(index as u64 * 1000, index as u64, std::iter::once(one));

@@ -27,7 +27,7 @@ const POLL: Duration = Duration::from_millis(5);
 /// Interval of checks of slowly changing state.
 const SLOW: Duration = Duration::from_millis(500);
 /// Interval of the samples of each output, cycles.
-const INFO_EVERY: u16 = 10;
+const OUTPUT_EVERY: u16 = 10;
 /// Silence of a robot after which pages are notified.
 const SILENCE: Duration = Duration::from_secs(2);
 /// Largest number of events that are handled before commands are handled.
@@ -170,22 +170,22 @@ impl<'a> Attached<'a> {
         }
     }
 
-    /// Watches the outputs that pages watch, and each output at least in the interval [`INFO_EVERY`].
+    /// Watches the outputs that pages watch, and each output at least in the interval [`OUTPUT_EVERY`].
     fn watch(&mut self) -> Result<(), bica_link::Error> {
         let mut wanted = HashMap::new();
         for (component, described) in self.client.description().components.iter().enumerate() {
-            for info in 0..described.info.len() {
-                wanted.insert((component, info), INFO_EVERY);
+            for output in 0..described.outputs.len() {
+                wanted.insert((component, output), OUTPUT_EVERY);
             }
         }
-        for watch in self.session.shared().watching.watches().flat_map(|watch| &watch.info) {
-            if let Some(every) = wanted.get_mut(&(watch.component, watch.info)) {
+        for watch in self.session.shared().watching.watches().flat_map(|watch| &watch.outputs) {
+            if let Some(every) = wanted.get_mut(&(watch.component, watch.output)) {
                 *every = gcd(*every, watch.every.max(1));
             }
         }
-        for (&(component, info), &every) in &wanted {
-            if self.watched.get(&(component, info)) != Some(&every) {
-                self.client.watch_info(component, info, every)?;
+        for (&(component, output), &every) in &wanted {
+            if self.watched.get(&(component, output)) != Some(&every) {
+                self.client.watch_output(component, output, every)?;
             }
         }
         self.watched = wanted;
@@ -206,7 +206,7 @@ impl<'a> Attached<'a> {
     pub(super) fn event(&mut self, event: Event) -> Result<(), bica_link::Error> {
         match event {
             Event::Snapshot(snapshot) => self.snapshot(&snapshot),
-            Event::Info { cycle, component, info, value } => self.info(cycle, component, info, value),
+            Event::Output { cycle, component, output, value } => self.output(cycle, component, output, value),
             Event::Params { component } => self.params(component),
             Event::Lease(lease) => return self.lease(lease),
             Event::Answer(answer) => self.answered(answer),
@@ -261,23 +261,23 @@ impl<'a> Attached<'a> {
         }
     }
 
-    fn info(&mut self, cycle: u64, component: usize, info: usize, value: Option<Vec<u8>>) {
+    fn output(&mut self, cycle: u64, component: usize, output: usize, value: Option<Vec<u8>>) {
         let mut shared = self.session.shared();
         let Some((time, last)) = shared.history.states.last() else { return };
         let period = 1e6 / f64::from(self.client.description().cycle_hz.max(1.0));
         let before = last.saturating_sub(cycle) as f64 * period;
         let time_us = time.saturating_sub(before as u64);
-        let output = |tree: &Description| Some(tree.components.get(component)?.info.get(info)?.schema.is_some());
-        let has_schema = |tree: &Description| output(tree) == Some(true);
+        let known = |tree: &Description| Some(tree.components.get(component)?.outputs.get(output)?.schema.is_some());
+        let has_schema = |tree: &Description| known(tree) == Some(true);
         // A microcontroller sends a schema before the first value.
         if has_schema(self.client.description()) && !shared.description.as_deref().is_some_and(has_schema) {
             shared.description = Some(Arc::new(self.client.description().clone()));
         }
-        shared.history.info.push(component, info, time_us, value.as_deref().unwrap_or_default());
+        shared.history.outputs.push(component, output, time_us, value.as_deref().unwrap_or_default());
         drop(shared);
-        self.session.record_robot(|recorder| recorder.output(component, info, value.as_deref()));
+        self.session.record_robot(|recorder| recorder.output(component, output, value.as_deref()));
         let value = value.unwrap_or_default();
-        self.samples.push(Sample { cycle, time_us, component, output: info, value });
+        self.samples.push(Sample { cycle, time_us, component, output, value });
         if self.samples.len() >= MAX_SAMPLES {
             self.session.show_samples(&std::mem::take(&mut self.samples));
         }

@@ -188,9 +188,9 @@ fn batch(
             let of_place = place.time.saturating_sub(requested.times.first.unwrap_or_default()) / 1000;
             shared.recorded.places.push((number, of_place, place));
         }
-        for value in cycle.information.iter().flat_map(|record| &record.values) {
+        for value in cycle.outputs.iter().flat_map(|record| &record.values) {
             let (component, index) = (usize::from(value.component), usize::from(value.index));
-            shared.history.info.push(component, index, time_us, &value.value);
+            shared.history.outputs.push(component, index, time_us, &value.value);
         }
         for told in Told::of_cycle(cycle, time_us) {
             shared.history.told.push(time_us, told);

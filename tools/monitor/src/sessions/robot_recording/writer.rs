@@ -133,7 +133,7 @@ impl RobotRecorder {
 
 /// Returns whether the schemas of all outputs of a tree are known.
 fn has_schemas(tree: &Description) -> bool {
-    tree.components.iter().flat_map(|component| &component.info).all(|output| output.schema.is_some())
+    tree.components.iter().flat_map(|component| &component.outputs).all(|output| output.schema.is_some())
 }
 
 impl Drop for RobotRecorder {

@@ -71,7 +71,7 @@ fn a_world_behind_a_link_pauses_at_the_cycle_of_a_hit() {
         assert_eq!(hit["paused"], true, "{hit}");
         assert_eq!(page.stands()["time_us"], hit["time_us"]);
         let time_us = hit["time_us"].as_u64().unwrap();
-        let moment = page.ask(Request::At { time_us, info: vec![], image: false }).unwrap();
+        let moment = page.ask(Request::At { time_us, outputs: vec![], image: false }).unwrap();
         assert_eq!(moment["components"][hit["component"].as_u64().unwrap() as usize][4], time_us);
         page.ask(Request::Breakpoints { list: Vec::new() }).unwrap();
         page.ask(Request::Resume {}).unwrap();

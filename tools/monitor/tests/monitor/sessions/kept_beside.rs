@@ -13,7 +13,7 @@ use bica::{Hold, Setting, Value};
 use bica_link::{Client, ClientOptions, LinkServer, ServerOptions};
 use bica_monitor::protocol::Open;
 use bica_recording::{
-    Header, ImagePolicy, InformationValue, LogLine, LogSource, RecordedCycle, Recorder, RecorderOptions, Recording,
+    Header, ImagePolicy, LogLine, LogSource, OutputRecord, RecordedCycle, Recorder, RecorderOptions, Recording,
     RunEvent, SetUp, create,
 };
 
@@ -34,7 +34,7 @@ fn run(folder: &Path) -> [PathBuf; 2] {
     let (server, requests, link) = LinkServer::start::<LampTree>(&address, options).unwrap();
     let address = server.address().to_owned();
     let header = Header::new(&LampTree::GRAPH, SetUp::new(), ImagePolicy::All).of_robot(&LampTree::new());
-    let options = RecorderOptions { information_every: 1, ..RecorderOptions::default() };
+    let options = RecorderOptions { outputs_every: 1, ..RecorderOptions::default() };
     let recorder = Recorder::start(create(&files[0], false).unwrap(), &header, options, |_| {}).unwrap();
     let (ends, scores) = (AtomicBool::new(false), AtomicBool::new(false));
     thread::scope(|scope| {
@@ -110,10 +110,10 @@ fn kept_recording_equals_that_of_the_robot() {
         // Outputs of a cycle that the link omitted are in the next cycle.
         let is_complete = number.checked_sub(1).is_some_and(|before| kept.contains_key(&before));
         assert_eq!((&cycle.tree, cycle.tick.instant), (&own.tree, number * CYCLE_US), "{number}");
-        for value in cycle.information.iter().flat_map(|record| &record.values).filter(|_| is_complete) {
-            let is_same = |own: &&InformationValue| (own.component, own.index) == (value.component, value.index);
+        for value in cycle.outputs.iter().flat_map(|record| &record.values).filter(|_| is_complete) {
+            let is_same = |own: &&OutputRecord| (own.component, own.index) == (value.component, value.index);
             // The program itself records outputs of active components only.
-            if let Some(own) = own.information.as_ref().unwrap().values.iter().find(is_same) {
+            if let Some(own) = own.outputs.as_ref().unwrap().values.iter().find(is_same) {
                 assert_eq!(value, own, "{number}");
                 values += 1;
             }

@@ -31,7 +31,7 @@ fn keep(page: &Page, name: &str) -> Value {
 /// Returns the state at a time, and the number of the image in its frame.
 fn at(page: &Page, session: u32, time_us: u64, info: (usize, usize)) -> (Value, u32) {
     page.session.set(Some(session));
-    let id = page.send(Request::At { time_us, info: vec![info], image: true });
+    let id = page.send(Request::At { time_us, outputs: vec![info], image: true });
     let number = page.wait("the image", |got| match got {
         Got::Binary(frame) if frame[24..28] == id.to_le_bytes() => {
             Some(u32::from_le_bytes(frame[8..12].try_into().unwrap()))

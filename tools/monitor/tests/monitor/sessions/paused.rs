@@ -1,6 +1,6 @@
 //! Data that a page receives of a paused world.
 
-use bica_monitor::protocol::{Request, Watch, WatchImages, WatchInfo};
+use bica_monitor::protocol::{Request, Watch, WatchImages, WatchOutput};
 use serde_json::{Value, json};
 
 use crate::lamp::{CYCLE_US, IMAGE_CYCLES};
@@ -11,7 +11,7 @@ use crate::sessions::world::{find, place_in, running};
 fn watched(page: &Page, (component, info): (usize, usize)) -> (u32, u64, u64, Value) {
     let watch = Watch {
         images: Some(WatchImages { max_hz: 30.0 }),
-        info: vec![WatchInfo { component, info, every: 1 }],
+        outputs: vec![WatchOutput { component, output: info, every: 1 }],
         truth: true,
         ..Watch::default()
     };
@@ -68,7 +68,7 @@ fn past_moment_has_its_conditions_costs_and_truth() {
     let time_us = then["time_us"].as_u64().unwrap();
     let is_other = |update: &Value| (update["time_us"].as_u64()? > time_us + 1_000_000).then_some(());
     page.message("update", is_other);
-    let moment = page.ask(Request::At { time_us, info: vec![], image: false }).unwrap();
+    let moment = page.ask(Request::At { time_us, outputs: vec![], image: false }).unwrap();
     assert_eq!(moment["conditions"][0]["component"], root, "{moment}");
     let holds = |of: &Value| -> Vec<Value> {
         let all = of["conditions"].as_array().unwrap().iter();

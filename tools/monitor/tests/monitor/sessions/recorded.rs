@@ -60,7 +60,7 @@ fn recording_shows_states_images_and_outputs() {
     let described = late.message("described", |message| Some(message["description"].clone()));
     let (component, index) = find(&described, "Eye", "info", "count");
     for time_us in [2_000_000, 500_000, 1_234_567] {
-        let id = page.send(Request::At { time_us, info: vec![(component, index)], image: true });
+        let id = page.send(Request::At { time_us, outputs: vec![(component, index)], image: true });
         let frame = page.wait("the image", |got| match got {
             Got::Binary(frame) => Some(frame.clone()),
             Got::Message(_) => None,

@@ -103,7 +103,7 @@ fn returned_link_continues_the_history_after_a_gap() {
     assert!(bars.iter().all(|bar| bar.1 <= gap[0] || bar.0 >= gap[1]), "{bars:?} {gap:?}");
     assert!(bars.iter().any(|bar| bar.1 == gap[0]) && bars.iter().any(|bar| bar.0 == gap[1]), "{bars:?} {gap:?}");
     let time_us = gap[0].midpoint(gap[1]);
-    let moment = page.ask(Request::At { time_us, info: vec![], image: false }).unwrap();
+    let moment = page.ask(Request::At { time_us, outputs: vec![], image: false }).unwrap();
     assert_eq!(moment["time_us"], gap[0]);
     let lines = page.lines();
     for text in ["before", "the connection was lost", "the connection is restored"] {

@@ -120,7 +120,7 @@ fn the_past_agrees_with_what_was_live() {
         (update["cycle"].as_u64()? > 150 && is_constant).then(|| update.clone())
     });
     let time_us = live["time_us"].as_u64().unwrap();
-    let id = page.send(Request::At { time_us, info: vec![(component, info)], image: true });
+    let id = page.send(Request::At { time_us, outputs: vec![(component, info)], image: true });
     let frame = page.wait("the image", |got| match got {
         Got::Binary(frame) => Some(frame.clone()),
         Got::Message(message) => {
@@ -140,7 +140,7 @@ fn the_past_agrees_with_what_was_live() {
         let reaches = row["bars"].as_array().unwrap().last().is_some_and(|bar| bar[1] == time_us && bar[2] == now[2]);
         assert_eq!(reaches, now[0] == true, "{row} {now}");
     }
-    let request = Request::Series { component, info, from_us: 0, until_us: time_us, points: 10 };
+    let request = Request::Series { component, output: info, from_us: 0, until_us: time_us, points: 10 };
     let series = page.ask(request).unwrap();
     let counts: Vec<u64> = series.as_array().unwrap().iter().map(|one| one[1].as_u64().unwrap()).collect();
     assert!(counts.len() > 2 && counts.is_sorted(), "{counts:?}");

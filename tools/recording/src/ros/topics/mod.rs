@@ -24,7 +24,7 @@ use crate::shape::{CALIBRATION, OPTICAL, Pose, each, shapes};
 use crate::topics::{Cameras, jpeg};
 use convert::transform;
 use markers::markers;
-use output::Output;
+use output::OutputTopics;
 pub use topic::{Quality, Sent, Topic, parameter_value};
 use topic::{image_topic, placements, sent, stamp};
 
@@ -37,7 +37,7 @@ const NUMBERS: [&str; 3] = ["sensors", "command", "costs"];
 #[derive(Debug)]
 pub struct Topics {
     all: Vec<Topic>,
-    outputs: BTreeMap<(usize, usize), Output>,
+    outputs: BTreeMap<(usize, usize), OutputTopics>,
     names: Names,
     cameras: Cameras,
     /// Topics of images and of point clouds, by their names; none if another thing has the name.
@@ -174,8 +174,8 @@ impl Topics {
     }
 
     /// Returns the topics of an output.
-    pub fn of_output(&self, component: usize, info: usize) -> impl Iterator<Item = usize> {
-        self.outputs.get(&(component, info)).into_iter().flat_map(|output| output.topics).flatten()
+    pub fn of_output(&self, component: usize, output: usize) -> impl Iterator<Item = usize> {
+        self.outputs.get(&(component, output)).into_iter().flat_map(|output| output.topics).flatten()
     }
 
     /// Returns whether a topic shows images.
@@ -203,7 +203,7 @@ impl Topics {
     /// Returns whether viewers show a value of an output until another value replaces it.
     #[must_use]
     pub fn is_drawn(&self, key: (usize, usize)) -> bool {
-        self.outputs.get(&key).is_some_and(Output::is_drawn)
+        self.outputs.get(&key).is_some_and(OutputTopics::is_drawn)
     }
 
     /// Returns the messages of the value of an output after the cycle at a time, ns.
@@ -224,7 +224,7 @@ impl Topics {
     #[must_use]
     pub fn first_frames(&self, time: u64) -> Vec<Sent> {
         const ORIGIN: Pose = Pose { position: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0] };
-        let first = |output: &Output| Some(transform(output.header(time), output.child.clone()?, &ORIGIN));
+        let first = |output: &OutputTopics| Some(transform(output.header(time), output.child.clone()?, &ORIGIN));
         let transforms: Vec<_> = self.outputs.values().filter_map(first).collect();
         if transforms.is_empty() { Vec::new() } else { sent(self.tf, &Transforms { transforms }) }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use bica_wire::model::{Description, Info, Placement};
+use bica_wire::model::{Description, Output, Placement};
 use serde_json::Value;
 
 use super::super::{
@@ -49,7 +49,7 @@ enum Form {
 
 /// An output of a component.
 #[derive(Debug)]
-pub(super) struct Output {
+pub(super) struct OutputTopics {
     form: Form,
     /// Name of the markers, and visual type.
     name: String,
@@ -78,52 +78,53 @@ pub(super) fn all(
     tf: usize,
     for_viewers: bool,
     add: &mut impl FnMut(String, String, Kind, Quality) -> usize,
-) -> BTreeMap<(usize, usize), Output> {
-    let infos = || {
+) -> BTreeMap<(usize, usize), OutputTopics> {
+    let all = || {
         let components = description.components.iter().enumerate();
         components.flat_map(|(index, one)| {
-            one.info.iter().enumerate().map(move |(info, output)| ((index, info), one, output))
+            one.outputs.iter().enumerate().map(move |(place, output)| ((index, place), one, output))
         })
     };
     let mut outputs = BTreeMap::new();
-    for (key, component, info) in infos() {
-        let form = Form::of(info);
-        let public_of = |info: &Info| {
-            let frame = info.placement.as_ref().map(|one| one.frame.as_str()).unwrap_or_default();
-            Form::of(info).public(frame, names)
+    for (key, component, output) in all() {
+        let form = Form::of(output);
+        let public_of = |output: &Output| {
+            let frame = output.placement.as_ref().map(|one| one.frame.as_str()).unwrap_or_default();
+            Form::of(output).public(frame, names)
         };
-        let public = public_of(info);
-        let is_only = infos().filter(|(_, _, other)| public_of(other) == public).count() == 1;
-        let own = || names.private(&[&component.name, &info.name]);
-        let placement = info.placement.as_ref();
+        let public = public_of(output);
+        let is_only = all().filter(|(_, _, other)| public_of(other) == public).count() == 1;
+        let own = || names.private(&[&component.name, &output.name]);
+        let placement = output.placement.as_ref();
         let frame = placement.map(|one| one.frame.as_str()).unwrap_or_default();
         let name = public.filter(|_| is_only || form == Form::Camera).unwrap_or_else(own);
-        let source = format!("the output `{}.{}`", component.name, info.name);
+        let source = format!("the output `{}.{}`", component.name, output.name);
         let topic = (form != Form::Frame).then(|| add(name, source, form.kind(), form.quality()));
         let child = placement.and_then(|one| one.child.as_deref()).map(|child| names.frame(child));
         let shown = form.shown(for_viewers && child.is_none()).map(|(part, kind)| {
-            let source = format!("the {part} of `{}.{}`", component.name, info.name);
-            let name = names.private(&[&component.name, &info.name, part]);
+            let source = format!("the {part} of `{}.{}`", component.name, output.name);
+            let name = names.private(&[&component.name, &output.name, part]);
             Some(add(name, source, kind?, Quality::Reliable))
         });
         let camera = matches!(form, Form::Camera | Form::Annotations).then(|| frame.to_owned());
         let frame = if form == Form::Camera { names.optical(frame) } else { names.frame(frame) };
         let shape = placement.map(|one| one.shape.clone()).unwrap_or_default();
-        let name = format!("{}/{}", component.name, info.name);
+        let name = format!("{}/{}", component.name, output.name);
         let topics = [topic, child.is_some().then_some(tf)];
         let colour = COLOURS[outputs.len() % COLOURS.len()];
         let (image_size, scale, last) = (None, 1.0, None);
-        let output = Output { form, name, shape, frame, colour, child, topics, shown, camera, image_size, scale, last };
+        let output =
+            OutputTopics { form, name, shape, frame, colour, child, topics, shown, camera, image_size, scale, last };
         outputs.insert(key, output);
     }
     outputs
 }
 
 impl Form {
-    fn of(info: &Info) -> Self {
-        match &info.placement {
-            Some(placement) => Self::of_shape(placement, &info.type_name),
-            None => Self::of_type(&info.type_name),
+    fn of(output: &Output) -> Self {
+        match &output.placement {
+            Some(placement) => Self::of_shape(placement, &output.type_name),
+            None => Self::of_type(&output.type_name),
         }
     }
 
@@ -220,7 +221,7 @@ impl Form {
     }
 }
 
-impl Output {
+impl OutputTopics {
     /// Returns whether the output has a visual type.
     pub(super) const fn is_visual(&self) -> bool {
         !self.shape.is_empty()

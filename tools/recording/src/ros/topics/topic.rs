@@ -57,7 +57,7 @@ pub(super) fn image_topic(names: &Names, frame: &str) -> Topic {
 
 /// Returns the visual types of all outputs.
 pub(super) fn placements(description: &Description) -> impl Iterator<Item = &Placement> {
-    description.components.iter().flat_map(|one| &one.info).filter_map(|info| info.placement.as_ref())
+    description.components.iter().flat_map(|one| &one.outputs).filter_map(|output| output.placement.as_ref())
 }
 
 /// Returns a message of a topic.

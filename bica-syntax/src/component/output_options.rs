@@ -20,7 +20,7 @@ pub fn parse(attribute: &Attribute) -> Result<(Option<String>, Option<Placement>
     let list = match &attribute.meta {
         Meta::Path(_) => return Ok((None, None)),
         Meta::List(list) => list,
-        Meta::NameValue(pair) => return Err(syn::Error::new_spanned(&pair.value, wording::INFO_FORM).into()),
+        Meta::NameValue(pair) => return Err(syn::Error::new_spanned(&pair.value, wording::OUTPUT_FORM).into()),
     };
     let [unit, frame, child] =
         coded(|uncoded| list.parse_args_with(|input: ParseStream| options(input).map_err(uncoded)))?;
@@ -35,7 +35,7 @@ pub fn parse(attribute: &Attribute) -> Result<(Option<String>, Option<Placement>
 
 /// The values of [`KEYS`].
 fn options(input: ParseStream) -> Result<[Option<String>; KEYS.len()], Mistake> {
-    let form = |found: syn::Error| syn::Error::new(found.span(), wording::INFO_FORM);
+    let form = |found: syn::Error| syn::Error::new(found.span(), wording::OUTPUT_FORM);
     let mut values = [const { None }; KEYS.len()];
     loop {
         let key: Ident = input.parse().map_err(form)?;

@@ -1,15 +1,15 @@
 //! Outputs: results of a component that a person or a tool may read.
 //!
 //! `#[output]` on a getter in the impl block of a component lists it in the graph. The getter is called only when somebody
-//! asks, by [`Tree::read_info`](crate::Tree::read_info).
+//! asks, by [`Tree::read_output`](crate::Tree::read_output).
 //!
-//! With the feature `info` of this crate, the type of the value must implement `serde::Serialize` and
+//! With the feature `output` of this crate, the type of the value must implement `serde::Serialize` and
 //! `postcard_schema::Schema`: `#[data]` before a struct or enum derives both. Without the feature outputs are described, but
 //! their values cannot be taken out.
 //!
-#![cfg_attr(feature = "info", doc = "```")]
-#![cfg_attr(not(feature = "info"), doc = "```ignore")]
-//! use bica_core::info::{InfoSink, Information};
+#![cfg_attr(feature = "output", doc = "```")]
+#![cfg_attr(not(feature = "output"), doc = "```ignore")]
+//! use bica_core::output::{OutputSink, OutputType};
 //! use bica_core::{Instant, Tree};
 //! use bica_macros::{activation_tree, component};
 //!
@@ -29,15 +29,15 @@
 //! /// Takes values as postcard bytes.
 //! struct Bytes([u8; 16], usize);
 //!
-//! impl InfoSink for Bytes {
-//!     fn take<V: Information>(&mut self, value: &V) {
+//! impl OutputSink for Bytes {
+//!     fn take<V: OutputType>(&mut self, value: &V) {
 //!         self.1 = postcard::to_slice(value, &mut self.0).map_or(0, |bytes| bytes.len());
 //!     }
 //! }
 //!
 //! let robot = Robot::new();
 //! let mut bytes = Bytes([0; 16], 0);
-//! assert!(robot.read_info("Ball", "distance", &mut bytes));
+//! assert!(robot.read_output("Ball", "distance", &mut bytes));
 //! assert_eq!(&bytes.0[..bytes.1], 1.25_f32.to_le_bytes());
 //! ```
 
@@ -46,7 +46,7 @@ use crate::visual::Placement;
 
 /// Description of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Info {
+pub struct Output {
     /// The getter's name.
     pub name: &'static str,
     /// The getter's doc comment.
@@ -60,20 +60,20 @@ pub struct Info {
 }
 
 /// A type that an output can have: `serde::Serialize` and `postcard_schema::Schema`.
-#[cfg(feature = "info")]
+#[cfg(feature = "output")]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be the type of an output",
     label = "its values cannot be taken out",
     note = "write `#[data]` before the struct or enum, and before each one of your own that it holds"
 )]
-pub trait Information: serde::Serialize + postcard_schema::Schema {}
+pub trait OutputType: serde::Serialize + postcard_schema::Schema {}
 
-#[cfg(feature = "info")]
+#[cfg(feature = "output")]
 #[diagnostic::do_not_recommend]
-impl<V: serde::Serialize + postcard_schema::Schema + ?Sized> Information for V {}
+impl<V: serde::Serialize + postcard_schema::Schema + ?Sized> OutputType for V {}
 
 /// A type that a field of a type with `#[data]` can have.
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is a part of a type with `#[data]` and does not travel itself",
@@ -82,12 +82,12 @@ impl<V: serde::Serialize + postcard_schema::Schema + ?Sized> Information for V {
 )]
 pub trait Part: serde::Serialize + serde::de::DeserializeOwned + postcard_schema::Schema {}
 
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
 #[diagnostic::do_not_recommend]
 impl<V: serde::Serialize + serde::de::DeserializeOwned + postcard_schema::Schema> Part for V {}
 
 /// A type of which a field of a type with `#[data]` can be a long array.
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be an element of a long array in a type with `#[data]`",
@@ -96,19 +96,19 @@ impl<V: serde::Serialize + serde::de::DeserializeOwned + postcard_schema::Schema
 )]
 pub trait Element: Part + Copy + Default {}
 
-#[cfg(any(feature = "info", feature = "wire"))]
+#[cfg(any(feature = "output", feature = "wire"))]
 #[diagnostic::do_not_recommend]
 impl<V: Part + Copy + Default> Element for V {}
 
-/// A type that an output can have: any, as the feature `info` is not enabled.
-#[cfg(not(feature = "info"))]
-pub trait Information {}
+/// A type that an output can have: any, as the feature `output` is not enabled.
+#[cfg(not(feature = "output"))]
+pub trait OutputType {}
 
-#[cfg(not(feature = "info"))]
-impl<V: ?Sized> Information for V {}
+#[cfg(not(feature = "output"))]
+impl<V: ?Sized> OutputType for V {}
 
 /// Takes the value of an output.
-pub trait InfoSink {
+pub trait OutputSink {
     /// Takes the value. Its schema is `V::SCHEMA` of `postcard_schema::Schema`.
-    fn take<V: Information>(&mut self, value: &V);
+    fn take<V: OutputType>(&mut self, value: &V);
 }

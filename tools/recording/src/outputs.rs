@@ -1,6 +1,6 @@
 //! Values of outputs in a recording.
 
-use bica::info::{InfoSink, Information};
+use bica::output::{OutputSink, OutputType};
 use bica::{ComponentId, Tree};
 use bica_link::decode_output;
 use postcard_schema::Schema;
@@ -14,14 +14,14 @@ const MAX_VALUE_BYTES: usize = 1024;
 
 /// Values of outputs after a cycle.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub struct InformationRecord {
+pub struct OutputsRecord {
     /// The values, of active components.
-    pub values: Vec<InformationValue>,
+    pub values: Vec<OutputRecord>,
 }
 
 /// A value of an output.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub struct InformationValue {
+pub struct OutputRecord {
     /// Index of the component.
     pub component: u16,
     /// Index of the output in the component.
@@ -33,8 +33,8 @@ pub struct InformationValue {
 impl Header {
     /// Returns a recorded value as JSON; none if it was too large to be recorded, or if the bytes do not have its schema.
     #[must_use]
-    pub fn decode(&self, value: &InformationValue) -> Option<serde_json::Value> {
-        let InformationValue { component, index, ref value } = *value;
+    pub fn decode(&self, value: &OutputRecord) -> Option<serde_json::Value> {
+        let OutputRecord { component, index, ref value } = *value;
         if value.is_empty() {
             return None;
         }
@@ -45,23 +45,23 @@ impl Header {
 /// Appends a value in postcard's format, after its length.
 struct Append<'a>(&'a mut Vec<u8>);
 
-impl InfoSink for Append<'_> {
-    fn take<V: Information>(&mut self, value: &V) {
+impl OutputSink for Append<'_> {
+    fn take<V: OutputType>(&mut self, value: &V) {
         let mut buffer = [0; MAX_VALUE_BYTES];
         let bytes: &[u8] = postcard::to_slice(value, &mut buffer).map_or(&[], |bytes| bytes);
         encode(self.0, &bytes);
     }
 }
 
-/// Reads all outputs of the active components of a tree, and appends them as an [`InformationRecord`] in postcard's format: the
+/// Reads all outputs of the active components of a tree, and appends them as an [`OutputsRecord`] in postcard's format: the
 /// loop needs no memory except that of the message.
 pub(crate) fn append<T: Tree>(tree: &T, out: &mut Vec<u8>) {
-    let count = |component: ComponentId| T::GRAPH.nodes[component.index()].info.len();
+    let count = |component: ComponentId| T::GRAPH.nodes[component.index()].outputs.len();
     encode(out, &tree.active().map(count).sum::<usize>());
     for component in tree.active() {
         for index in 0..count(component) {
             encode(out, &(component.index() as u16, index as u16));
-            tree.read_info(component, index, &mut Append(out));
+            tree.read_output(component, index, &mut Append(out));
         }
     }
 }

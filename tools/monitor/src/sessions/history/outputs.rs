@@ -20,15 +20,15 @@ struct Samples {
 
 /// Samples of all outputs.
 #[derive(Debug, Default)]
-pub(crate) struct InfoStore {
+pub(crate) struct OutputStore {
     all: BTreeMap<(usize, usize), Samples>,
     bytes: usize,
 }
 
-impl InfoStore {
+impl OutputStore {
     /// Adds a sample; times do not decrease.
-    pub(crate) fn push(&mut self, component: usize, info: usize, time_us: u64, value: &[u8]) {
-        let samples = self.all.entry((component, info)).or_default();
+    pub(crate) fn push(&mut self, component: usize, output: usize, time_us: u64, value: &[u8]) {
+        let samples = self.all.entry((component, output)).or_default();
         samples.last_us = time_us;
         let is_new = samples.changes.back().is_none_or(|(_, last)| **last != *value);
         if std::mem::take(&mut samples.interrupted) || is_new {
@@ -51,8 +51,8 @@ impl InfoStore {
     }
 
     /// Returns time, µs, and value of the last stored sample that is not later.
-    pub(crate) fn at(&self, component: usize, info: usize, time_us: u64) -> Option<(u64, &[u8])> {
-        let changes = &self.all.get(&(component, info))?.changes;
+    pub(crate) fn at(&self, component: usize, output: usize, time_us: u64) -> Option<(u64, &[u8])> {
+        let changes = &self.all.get(&(component, output))?.changes;
         let end = changes.partition_point(|(time, _)| *time <= time_us);
         changes.get(end.checked_sub(1)?).map(|(time, value)| (*time, &**value))
     }
@@ -62,13 +62,13 @@ impl InfoStore {
     pub(crate) fn series(
         &self,
         component: usize,
-        info: usize,
+        output: usize,
         from_us: u64,
         until_us: u64,
         points: usize,
         decode: impl Fn(&[u8]) -> Value,
     ) -> Vec<(u64, Value)> {
-        let Some(samples) = self.all.get(&(component, info)) else { return Vec::new() };
+        let Some(samples) = self.all.get(&(component, output)) else { return Vec::new() };
         let changes = &samples.changes;
         let begin = changes.partition_point(|(time, _)| *time < from_us);
         let end = changes.partition_point(|(time, _)| *time <= until_us).max(begin);
@@ -93,16 +93,16 @@ impl InfoStore {
         until_us: u64,
     ) -> Vec<(u64, usize, usize, Box<[u8]>)> {
         let mut part = Vec::new();
-        for (&(component, info), samples) in &self.all {
+        for (&(component, output), samples) in &self.all {
             let changes = &samples.changes;
             let begin = after_us.map_or(0, |after| changes.partition_point(|(time, _)| *time <= after));
             let inside = changes.range(begin..).take_while(|(time, _)| *time <= last_us);
-            part.extend(inside.map(|(time, value)| (*time, component, info, value.clone())));
+            part.extend(inside.map(|(time, value)| (*time, component, output, value.clone())));
             let end = samples.last_us.min(until_us);
             let index = changes.partition_point(|(time, _)| *time <= end).checked_sub(1);
             let newest = index.and_then(|index| changes.get(index)).filter(|(time, _)| *time < end);
             if let Some((_, value)) = newest.filter(|_| end <= last_us && after_us.is_none_or(|after| end > after)) {
-                part.push((end, component, info, value.clone()));
+                part.push((end, component, output, value.clone()));
             }
         }
         part.sort_by_key(|(time, ..)| *time);
@@ -155,12 +155,12 @@ mod tests {
     use serde_json::json;
 
     /// Values between two times.
-    fn series(store: &InfoStore, from_us: u64, until_us: u64, points: usize) -> Vec<(u64, Value)> {
+    fn series(store: &OutputStore, from_us: u64, until_us: u64, points: usize) -> Vec<(u64, Value)> {
         store.series(1, 2, from_us, until_us, points, |value| json!(value[0]))
     }
 
-    fn store(values: &[(u64, u8)]) -> InfoStore {
-        let mut store = InfoStore::default();
+    fn store(values: &[(u64, u8)]) -> OutputStore {
+        let mut store = OutputStore::default();
         for &(time, value) in values {
             store.push(1, 2, time, &[value]);
         }
