@@ -21,6 +21,8 @@ pub(crate) struct Layout {
     pub(crate) rolling_deceleration: f32,
     /// Other robots; the goalkeeper first if there is one.
     pub(crate) others: Vec<OtherRobot>,
+    /// Whether the other robots move, as in a match.
+    pub(crate) others_move: bool,
 }
 
 /// A robot that stands still on the field.
@@ -44,7 +46,7 @@ impl Layout {
         for index in 0..setup.robots {
             others.extend(draw_other(&start, &others, index % 2 == 0, random));
         }
-        Self { start, attacks, rolling_deceleration, others }
+        Self { start, attacks, rolling_deceleration, others, others_move: false }
     }
 }
 

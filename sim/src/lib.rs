@@ -27,6 +27,7 @@ mod in_loop;
 pub mod kinematic;
 mod layout;
 mod limb_motions;
+pub mod match_field;
 #[cfg(feature = "mujoco")]
 pub mod mujoco;
 mod obstacle;
@@ -42,7 +43,7 @@ mod spectator;
 mod world;
 
 pub use referee::Referee;
-pub use scene::show_field;
+pub use scene::{show_field, show_truth};
 pub use segmentation::PixelLabel;
 pub use shared_image::SharedImage;
 pub use spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};

@@ -48,8 +48,8 @@ fn corners(of: &Rectangle) -> [Point2; 5] {
     corners.map(|(ahead, left)| Point2 { x: of.x + ahead, y: of.y + left })
 }
 
-/// Shows the goals and the true state.
-pub(crate) fn show_truth(referee: &Referee, scene: &mut dyn Scene) {
+/// Shows the goals and the true state of a world.
+pub fn show_truth(referee: &Referee, scene: &mut dyn Scene) {
     let pose = |of: bica_motion::pose::Pose2| Pose2 { x: of.position.x, y: of.position.y, heading: of.heading };
     let circle = |Vec2 { x, y }: Vec2, radius: f32| Circle { x, y, radius };
     let others: List<Circle, MAX_ROBOTS> = referee.others().iter().map(|other| circle(other.position, ROBOT)).collect();

@@ -11,7 +11,7 @@ use bica_player::perception::GoalDetector;
 use bica_player::referee::packet::{Control, PlayState, Team, Version};
 use bica_player::referee::{Identity, Inbox, Received, TeamCommand, TeamForward, TeamPlayer, TeamSensors};
 use bica_player::team::{Heard, Role, Roles, TeamInbox, TeamMates, TeamMessage};
-use bica_sim::kinematic::{Entrant, MatchField};
+use bica_sim::match_field::{Entrant, MatchField};
 use bica_sim::setup::{Frame, Setup};
 
 use super::sender::Sender;

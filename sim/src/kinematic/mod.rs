@@ -11,11 +11,10 @@ mod body;
 mod collision;
 mod convex_hull;
 mod foot_contact;
-mod match_field;
 mod render;
 mod world;
 
-pub use self::match_field::{Entrant, MatchField};
+pub(crate) use self::render::PosedRobot;
 pub use self::world::KinematicWorld;
 
 use bica_motion::model::simulation::NAO;

@@ -1,12 +1,11 @@
 //! The kinematic world: body, ball, obstacles, camera and referee.
 
-use core::f32::consts::PI;
 use core::time::Duration;
 
 use bica_core::action::Actions;
 use bica_motion::joints::Joint;
 use bica_motion::model::simulation::SimulatedModel;
-use bica_motion::pose::{Pose2, wrap};
+use bica_motion::pose::Pose2;
 use bica_motion::robot::{Buttons, CameraId, Command, Image, Sensors};
 use glam::{Affine3A, Vec2};
 
@@ -16,6 +15,7 @@ use super::render::{PosedRobot, Renderer, Scene};
 use super::{ball_motion, collision};
 use crate::layout::Layout;
 use crate::limb_motions::LimbMotions;
+use crate::match_field::{MatchWorld, Other};
 use crate::obstacle::{GOALS, Obstacle};
 use crate::placement;
 use crate::random::{Random, Stream};
@@ -51,19 +51,6 @@ pub struct KinematicWorld {
     pushes: Pushes,
     /// Whether the robot has touched the ball in the last cycle.
     touches: bool,
-}
-
-/// Another robot on the field, in the frame of a world.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Other {
-    /// Pose on the ground.
-    pub(super) pose: Pose2,
-    /// Its parts.
-    pub(super) posed: PosedRobot,
-    /// Whether it lies.
-    pub(super) is_down: bool,
-    /// Whether it belongs to the team of the world's robot.
-    pub(super) is_teammate: bool,
 }
 
 impl KinematicWorld {
@@ -126,53 +113,6 @@ impl KinematicWorld {
         self.rules.cancel_return();
         self.referee.set_ball(position, velocity);
         Ok(())
-    }
-
-    /// Cancels the return of the ball into play: an operator has placed it.
-    pub(super) const fn cancel_return(&mut self) {
-        self.rules.cancel_return();
-    }
-
-    /// Whether the robot has touched the ball in the last cycle.
-    pub(super) const fn touches(&self) -> bool {
-        self.touches
-    }
-
-    /// Position and velocity of the ball, m and m/s.
-    pub(super) const fn ball(&self) -> [Vec2; 2] {
-        [self.ball.position, self.ball.velocity]
-    }
-
-    /// Sets position and velocity of the ball: another robot has moved it.
-    pub(super) fn follow_ball(&mut self, [position, velocity]: [Vec2; 2]) {
-        (self.ball.position, self.ball.velocity) = (position, velocity);
-        self.referee.set_ball(position, velocity);
-    }
-
-    /// The robot as another one on the field, in the frame of the own team, or, `turned`, in that of the other one.
-    pub(super) fn as_other(&self, turned: bool, is_teammate: bool) -> Other {
-        let turn = if turned { Affine3A::from_rotation_z(PI) } else { Affine3A::IDENTITY };
-        let pose = self.body.pose();
-        Other {
-            pose: if turned { Pose2 { position: -pose.position, heading: wrap(pose.heading + PI) } } else { pose },
-            posed: PosedRobot::new(self.model, turn * *self.body.robot(), self.body.skeleton()),
-            is_down: matches!(self.body.posture(), Posture::Down(_)),
-            is_teammate,
-        }
-    }
-
-    /// Sets the other robots on the field, as obstacles, for the referee and in the next image.
-    pub(super) fn set_others(&mut self, others: &[Other]) {
-        self.obstacles.truncate(GOALS.len());
-        let model = self.model;
-        let obstacle = |other: &Other| {
-            if other.is_down { Obstacle::lying(model, &other.posed.robot) } else { Obstacle::legs(model, &other.pose) }
-        };
-        self.obstacles.extend(others.iter().map(obstacle));
-        self.referee.set_others(others.iter().map(|other| other.pose));
-        if image_is_due(self.cycle) {
-            self.renderer.set_others(others.iter().map(|other| (other.posed, other.pose.position, other.is_teammate)));
-        }
     }
 
     /// Renders the label of each pixel of an image taken now, row by row from the top left. Ground truth, for evaluation
@@ -309,6 +249,46 @@ impl World for KinematicWorld {
     }
 }
 
+impl MatchWorld for KinematicWorld {
+    fn as_send(&mut self) -> Option<&mut (dyn MatchWorld + Send)> {
+        Some(self)
+    }
+
+    fn touches(&self) -> bool {
+        self.touches
+    }
+
+    fn ball(&self) -> [Vec2; 2] {
+        [self.ball.position, self.ball.velocity]
+    }
+
+    fn follow_ball(&mut self, [position, velocity]: [Vec2; 2]) {
+        (self.ball.position, self.ball.velocity) = (position, velocity);
+        self.referee.set_ball(position, velocity);
+    }
+
+    fn cancel_return(&mut self) {
+        self.rules.cancel_return();
+    }
+
+    fn as_other(&self, turned: bool) -> Other {
+        Other::new(self.model, (*self.body.robot(), self.body.skeleton()), &self.referee, turned)
+    }
+
+    fn set_others(&mut self, others: &[Other]) {
+        self.obstacles.truncate(GOALS.len());
+        let model = self.model;
+        let obstacle = |other: &Other| {
+            if other.is_down { Obstacle::lying(model, &other.posed.robot) } else { Obstacle::legs(model, &other.pose) }
+        };
+        self.obstacles.extend(others.iter().map(obstacle));
+        self.referee.set_others(others.iter().map(|other| other.pose));
+        if image_is_due(self.cycle) {
+            self.renderer.set_others(others.iter().map(|other| (other.posed, other.pose.position, other.is_teammate)));
+        }
+    }
+}
+
 impl SpectatorView for KinematicWorld {
     fn render_from(&mut self, camera: &SpectatorCamera, width: usize, height: usize) -> Result<Picture, RenderError> {
         let scene = self.scene(&self.body.camera(self.camera));
@@ -318,4 +298,28 @@ impl SpectatorView for KinematicWorld {
 
 fn cameras(body: &Body) -> [Affine3A; 2] {
     [CameraId::Top, CameraId::Bottom].map(|camera| body.camera(camera))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::TEST_MODEL;
+    use crate::setup::{Frame, Start};
+
+    #[test]
+    fn robot_sees_one_that_comes_into_its_view() {
+        let world = |robot| {
+            let start = Some(Start { robot, ball: Vec2::new(2.0, 1.0) });
+            let setup = Setup { frame: Frame::Small, goalkeeper: false, start, ..Setup::default() };
+            KinematicWorld::new(TEST_MODEL, &setup).expect("a free place")
+        };
+        let seen = |other: Pose2| {
+            let mut own = world(Pose2::new(-1.0, 0.0, 0.0));
+            own.set_others(&[world(other).as_other(true)]);
+            let labels = own.segmentation_mask();
+            labels.iter().filter(|label| matches!(label, PixelLabel::OtherRobot(_))).count()
+        };
+        assert!(seen(Pose2::new(-1.0, 0.5, 0.0)) > 0, "it is ahead");
+        assert_eq!(seen(Pose2::new(2.5, 0.5, 0.0)), 0, "it is behind");
+    }
 }

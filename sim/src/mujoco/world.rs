@@ -1,5 +1,6 @@
 //! The dynamic world: MuJoCo with motors, sensors, cameras and referee.
 
+use core::f32::consts::FRAC_PI_2;
 use core::time::Duration;
 
 use bica_body::mujoco::{Data, Fault, FreeJoint, Humanoid, Physics, pose, write};
@@ -17,8 +18,9 @@ use super::model::{SHADOWS, build};
 use super::robot_camera::{Exposure, RobotCamera};
 use super::spectator::{Moving, SpectatorRenderer};
 use crate::field::BALL_RADIUS;
-use crate::layout::Layout;
+use crate::layout::{Layout, OtherRobot};
 use crate::limb_motions::LimbMotions;
+use crate::match_field::{MatchWorld, Other};
 use crate::placement;
 use crate::random::{Random, Stream};
 use crate::referee::rules::Rules;
@@ -27,6 +29,11 @@ use crate::setup::Setup;
 use crate::shared_image::SharedImage;
 use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
 use crate::world::{CYCLE, Pushes, World, frame, image_is_due};
+
+/// Distance from the middle of the field at which the others are built, m.
+const AWAY: f32 = 9.0;
+/// Height of the middle of a robot that lies, m.
+const LYING_HEIGHT: f32 = 0.06;
 
 /// A humanoid on the field of 2009, simulated by rigid-body dynamics.
 pub struct MujocoWorld {
@@ -57,7 +64,26 @@ impl MujocoWorld {
     /// If setup or physics is invalid, or no renderer is available; the error contains the reason.
     pub fn new(model: &'static SimulatedModel, setup: &Setup, physics: &Physics) -> Result<Self, Error> {
         setup.check(model)?;
-        let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
+        Self::with_layout(model, setup, physics, Layout::new(setup, &mut Random::new(setup.seed, Stream::Start)))
+    }
+
+    /// Builds the world of a robot of a match. `mates`: whether each of the others belongs to its team; they come to the field with
+    /// [`MatchWorld::set_others`].
+    pub(crate) fn in_match(model: &'static SimulatedModel, setup: &Setup, mates: &[bool]) -> Result<Self, Error> {
+        setup.check(model)?;
+        let mut layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
+        let away = |index: usize| Pose2::new(index as f32, AWAY, 0.0);
+        layout.others.extend((0..).zip(mates).map(|(index, mate)| OtherRobot { pose: away(index), teammate: *mate }));
+        layout.others_move = true;
+        Self::with_layout(model, setup, &Physics::of(model), layout)
+    }
+
+    fn with_layout(
+        model: &'static SimulatedModel,
+        setup: &Setup,
+        physics: &Physics,
+        layout: Layout,
+    ) -> Result<Self, Error> {
         let (built, ball) = build(model, setup, &layout, physics)?;
         let robot_camera = physics.cameras.then(|| RobotCamera::new(setup, &built.physics)).transpose()?;
         let noise = Random::new(setup.seed, Stream::Sensors);
@@ -253,6 +279,46 @@ impl World for MujocoWorld {
 
     fn referee(&self) -> &Referee {
         &self.referee
+    }
+}
+
+impl MatchWorld for MujocoWorld {
+    fn as_send(&mut self) -> Option<&mut (dyn MatchWorld + Send)> {
+        None
+    }
+
+    fn touches(&self) -> bool {
+        self.body.contacts().loose.is_some()
+    }
+
+    fn ball(&self) -> [Vec2; 2] {
+        self.ball_state().into()
+    }
+
+    fn follow_ball(&mut self, [position, velocity]: [Vec2; 2]) {
+        place(self.body.data_mut(), self.ball, position);
+        self.kick_ball(velocity);
+        self.referee.set_ball(position, velocity);
+    }
+
+    fn cancel_return(&mut self) {
+        self.rules.cancel_return();
+    }
+
+    fn as_other(&self, turned: bool) -> Other {
+        Other::new(self.model, (self.body.pose(), &self.body.skeleton()), &self.referee, turned)
+    }
+
+    fn set_others(&mut self, others: &[Other]) {
+        let data = self.body.data_mut();
+        for (index, other) in (SHADOWS..).zip(others) {
+            let Pose2 { position, heading } = other.pose;
+            let (height, tilt) = if other.is_down { (LYING_HEIGHT, FRAC_PI_2) } else { (0.0, 0.0) };
+            let turn = Quat::from_rotation_z(heading) * Quat::from_rotation_y(tilt);
+            write(&mut data.mocap_pos_mut()[index], &position.extend(height).to_array());
+            write(&mut data.mocap_quat_mut()[index], &[turn.w, turn.x, turn.y, turn.z]);
+        }
+        self.referee.set_others(others.iter().map(|other| other.pose));
     }
 }
 

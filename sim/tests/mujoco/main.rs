@@ -9,6 +9,8 @@ mod seeing;
 #[cfg(feature = "mujoco")]
 mod sensing;
 #[cfg(feature = "mujoco")]
+mod sharing;
+#[cfg(feature = "mujoco")]
 mod soundness;
 #[cfg(feature = "mujoco")]
 mod standing;

@@ -27,12 +27,13 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         return Err(built_without("referee", "the player that a GameController commands"));
     }
     #[cfg(feature = "referee")]
-    if args.world.kind == World::Team {
+    if args.world.kind == World::Team || args.world.kind == World::Mujoco && args.referee.teams.is_some() {
+        world(args.world.kind)?;
         return crate::referee::run_match(args);
     }
     if args.referee.teams.is_some() {
         let what = "--teams names the teams of a match, and this game is played by one robot";
-        return Err(Failure::new(what, "give --world team, too"));
+        return Err(Failure::new(what, "give --world team or --world mujoco, too"));
     }
     if args.world.kind == World::Lola {
         #[cfg(all(feature = "lola", unix))]

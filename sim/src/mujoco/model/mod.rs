@@ -79,7 +79,7 @@ fn world(model: &'static SimulatedModel, setup: &Setup, layout: &Layout) -> Stri
     shadows::write(model, &mut xml);
     field::write(&mut xml, &FIELD);
     for other in &layout.others {
-        bystander(model, &mut xml, other);
+        bystander(model, &mut xml, other, layout.others_move);
     }
     let _ = writeln!(
         xml,
@@ -91,9 +91,10 @@ fn world(model: &'static SimulatedModel, setup: &Setup, layout: &Layout) -> Stri
     xml
 }
 
-/// Writes a robot that stands still.
-fn bystander(model: &'static SimulatedModel, xml: &mut String, other: &OtherRobot) {
+/// Writes a robot that stands still, or that another world moves.
+fn bystander(model: &'static SimulatedModel, xml: &mut String, other: &OtherRobot, moves: bool) {
     let (at, heading) = (other.pose.position, other.pose.heading);
     let geoms = paint::in_team_colour(model.mujoco.bystander, other.teammate);
-    let _ = writeln!(xml, "<body pos=\"{} {} 0\" euler=\"0 0 {heading}\">\n{geoms}</body>", at.x, at.y);
+    let _ =
+        writeln!(xml, "<body mocap=\"{moves}\" pos=\"{} {} 0\" euler=\"0 0 {heading}\">\n{geoms}</body>", at.x, at.y);
 }

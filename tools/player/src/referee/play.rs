@@ -6,6 +6,8 @@ use std::time::Duration;
 use bica::Tree;
 use bica_app::{App, Failure, Outcome, RunArgs, WorldOptions};
 use bica_field::GoalColour;
+use bica_motion::model::simulation::NAO;
+use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::referee::packet::PLAYERS;
 use bica_player::referee::{Identity, TeamForward};
@@ -49,7 +51,7 @@ pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
         let network = PlayerNetwork::open(me, &ports)?;
         Ok(RefereedWorld::new(Box::new(open_world(&rules)?), network))
     };
-    let app = App::<TeamForward, ColourProfile>::new("player").robot(maker(attacks)).try_world(WORLD, open);
+    let app = App::<TeamForward, ColourProfile>::new("player").robot(maker::<false>(attacks)).try_world(WORLD, open);
     app.play(&RunArgs {
         world: WORLD.to_owned(),
         seed: args.seed,
@@ -67,8 +69,8 @@ pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
 
 /// Replays the recording of a game or of a robot in a match; `None` if the recording is of neither.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
-    let worlds = [WORLD, team::WORLD];
-    worlds.into_iter().find_map(|world| attacked::replay(options, world, maker))
+    let kinematic = [WORLD, team::WORLD].into_iter().find_map(|world| attacked::replay(options, world, maker::<false>));
+    kinematic.or_else(|| attacked::replay(options, team::MUJOCO, maker::<true>))
 }
 
 /// Refuses, in a match, what uses another network than that of the rules.
@@ -140,15 +142,17 @@ fn sender(text: &str) -> Result<Option<Ipv4Addr>, Failure> {
     })
 }
 
-fn maker(attacks: GoalColour) -> fn() -> Box<TeamForward> {
+fn maker<const IS_DYNAMIC: bool>(attacks: GoalColour) -> fn() -> Box<TeamForward> {
     match attacks {
-        GoalColour::Yellow => || forward(GoalColour::Yellow),
-        GoalColour::SkyBlue => || forward(GoalColour::SkyBlue),
+        GoalColour::Yellow => || forward(GoalColour::Yellow, IS_DYNAMIC),
+        GoalColour::SkyBlue => || forward(GoalColour::SkyBlue, IS_DYNAMIC),
     }
 }
 
-pub(super) fn forward(attacks: GoalColour) -> Box<TeamForward> {
+/// Makes a robot that attacks a goal, in a world with dynamics or without.
+pub(super) fn forward(attacks: GoalColour, is_dynamic: bool) -> Box<TeamForward> {
     let mut forward = Box::new(TeamForward::new());
+    forward.get_mut::<RobotProfile>().set(if is_dynamic { NAO.dynamic_profile } else { NAO.kinematic_profile });
     forward.get_mut::<GoalDetector>().attack(attacks);
     forward
 }

@@ -6,8 +6,8 @@ use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
 use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use bica_player::referee::{Identity, Inbox};
 use bica_player::referee::packet::{CONTROL_BYTES, Control, Penalty, PlayState, Status, Team, Version};
+use bica_player::referee::{Identity, Inbox};
 use bica_player::team::{Role, TeamMessage};
 
 use crate::process::{Folder, player, refused, run};
@@ -416,7 +416,7 @@ fn wrong_teams_players_and_scripts_are_refused() {
         (vec!["play", "--referee=nowhere", "--team", "5"], &["nowhere", "IPv4"]),
         (vec!["play", "--player", "2"], &["--referee"]),
         (vec!["play", "--world", "team"], &["--teams 5,23"]),
-        (vec!["play", "--teams", "5,23"], &["--world team"]),
+        (vec!["play", "--teams", "5,23"], &["--world team or --world mujoco"]),
         (vec!["play", "--world", "team", "--teams", "5,23", "--idle"], &["--games N"]),
         (vec!["play", "--world", "team", "--teams", "5,23", "--games", "1", "--truth", "t"], &["--truth"]),
         (vec!["play", "--world", "team", "--teams", "5,23", "--film", "f.gif"], &["--record FOLDER"]),

@@ -7,10 +7,10 @@ use bica_field::FIELD;
 use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_player::referee::Identity;
-use bica_sim::kinematic::{Entrant, MatchField};
+use bica_sim::match_field::{Entrant, MatchField};
 use bica_sim::setup::Setup;
 
-use crate::cli::Play;
+use crate::cli::{Play, World};
 
 /// Distance of the players from the side line at the start, and between two of them, m.
 const START: [f32; 2] = [0.1, 0.5];
@@ -22,6 +22,11 @@ const IDLE_APART: f32 = 0.7;
 /// Players of both teams.
 pub(super) fn identities(teams: [u8; 2], players: u8) -> Vec<Identity> {
     teams.into_iter().flat_map(|team| (1..=players).map(move |player| Identity { team, player })).collect()
+}
+
+/// Whether the match is played in MuJoCo.
+pub(super) fn is_dynamic(args: &Play) -> bool {
+    args.world.kind == World::Mujoco
 }
 
 /// Builds the field with its robots; those of an idle second team stand before their goal.
@@ -37,6 +42,11 @@ pub(super) fn field(args: &Play, seed: u64, players: &[Identity]) -> Result<Matc
         Entrant { is_second, at }
     };
     let entrants: Vec<Entrant> = players.iter().map(entrant).collect();
+    #[cfg(feature = "mujoco")]
+    if is_dynamic(args) {
+        let built = MatchField::in_mujoco(NAO, &setup, &entrants);
+        return built.map_err(|error| Failure::new(error.to_string(), "give fewer --players, and see docs/mujoco.md"));
+    }
     MatchField::new(NAO, &setup, &entrants).map_err(|error| Failure::new(error.to_string(), "give fewer --players"))
 }
 

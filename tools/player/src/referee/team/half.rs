@@ -6,7 +6,7 @@ use bica_player::referee::{Identity, Received};
 use bica_tuning::Layers;
 
 use super::assistants::Assistants;
-use super::entrants::{field, identities};
+use super::entrants::{field, identities, is_dynamic};
 use super::player::Player;
 use super::radio::Radio;
 use super::tally::Tally;
@@ -44,7 +44,7 @@ impl Half {
         let field = field(args, seed, &everybody)?;
         let playing = if args.referee.idle { usize::from(players) } else { everybody.len() };
         let player = |(index, me): (usize, &Identity)| {
-            let mut forward = forward(field.truth(index).attacks());
+            let mut forward = forward(field.truth(index).attacks(), is_dynamic(args));
             layers.apply(&mut *forward)?;
             Ok(Player::new(forward, Radio::new(*me), None))
         };

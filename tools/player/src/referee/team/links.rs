@@ -1,12 +1,12 @@
 //! Links of a match: each robot is served to monitors at a port of its own.
 
 use bica::action::Actions;
-use bica::runner::World;
 use bica_app::{Console, Failure};
+use bica_field::FIELD;
 use bica_link::{Address, LinkObserver, LinkRequests, LinkServer, ServerOptions};
-use bica_player::Forward;
 use bica_player::referee::{Identity, TeamForward};
-use bica_sim::kinematic::KinematicWorld;
+use bica_sim::match_field::MatchWorld;
+use bica_sim::{show_field, show_truth};
 use bica_wire::model::Description;
 
 use crate::cli::Play;
@@ -25,15 +25,18 @@ pub(super) struct PlayerLink {
 pub(super) fn open(
     args: &Play,
     (index, me): (usize, Identity),
-    world: &mut KinematicWorld,
+    world: &mut dyn MatchWorld,
     console: Console,
 ) -> Result<Option<(PlayerLink, LinkObserver<TeamForward>)>, Failure> {
     let Some(first) = &args.link.serve else { return Ok(None) };
-    let (address, actions) = (address(first, index)?, Actions::list(world));
+    let (address, actions) = (address(first, index)?, Actions::list(world.actions()));
     let options = ServerOptions { anywhere: args.link.listen_anywhere, actions, ..ServerOptions::default() };
-    let world: &dyn World<Forward> = world;
-    let (server, mut requests, view) =
-        LinkServer::start_in_scene(&address, options, |scene| world.scenery(scene), |scene| world.truth(scene))?;
+    let (server, mut requests, view) = LinkServer::start_in_scene(
+        &address,
+        options,
+        |scene| show_field(&FIELD, scene),
+        |scene| show_truth(world.referee(), scene),
+    )?;
     args.link.pause(&Description::of(const { &<TeamForward as bica::Tree>::GRAPH }), false, &mut requests)?;
     let text = format!("{}-{}: monitors attach at {}", me.team, me.player, server.address());
     console.print_row("link", &text)?;

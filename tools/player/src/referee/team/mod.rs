@@ -1,4 +1,4 @@
-//! `play --world team`: a match of two teams in one world.
+//! `play --world team` and `play --world mujoco --teams`: a match of two teams in one world.
 
 mod assistants;
 mod entrants;
@@ -15,7 +15,7 @@ mod tally;
 mod teams;
 mod truth;
 
-pub(super) use recording::WORLD;
+pub(super) use recording::{MUJOCO, WORLD};
 
 use bica_app::{Failure, Outcome};
 

@@ -5,11 +5,10 @@ use bica::runner::{Requests, Runner};
 use bica_app::{Failure, RecordedFile};
 use bica_link::LinkObserver;
 use bica_motion::robot::{Command, Sensors};
-use bica_player::Forward;
 use bica_player::referee::{TeamCommand, TeamForward, TeamSensors};
 use bica_recording::Recorder;
-use bica_sim::World;
-use bica_sim::kinematic::{KinematicWorld, MatchField};
+use bica_sim::match_field::{MatchField, MatchWorld};
+use bica_sim::show_truth;
 
 use super::links::PlayerLink;
 use super::recording::RobotRecording;
@@ -68,9 +67,9 @@ impl<N: Network> Player<N> {
     }
 
     /// Shows monitors the true state of the robot's world.
-    pub(super) fn show_truth(&self, world: &KinematicWorld) {
+    pub(super) fn show_truth(&self, world: &dyn MatchWorld) {
         if let (Some(view), _) = self.runner.observer() {
-            view.show_scene(|scene| bica::runner::World::<Forward>::truth(world, scene));
+            view.show_scene(|scene| show_truth(world.referee(), scene));
         }
     }
 
@@ -87,7 +86,7 @@ impl<N: Network> Player<N> {
     }
 
     /// Plays a cycle.
-    pub(super) fn play(&mut self, now: Instant, world: &mut KinematicWorld) -> Result<Command, Failure> {
+    pub(super) fn play(&mut self, now: Instant, world: &mut dyn MatchWorld) -> Result<Command, Failure> {
         let sensors = self.network.sensors(now.as_micros(), world.sensors());
         let taken = self.runner.sense(now, &sensors);
         taken.map_err(|error| Failure::new(error.to_string(), "give a smaller --size"))?;

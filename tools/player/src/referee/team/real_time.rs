@@ -10,7 +10,7 @@ use bica_player::referee::packet::PlayState;
 use bica_player::referee::{GameController, Identity, TeamForward};
 
 use super::assistants::Assistants;
-use super::entrants::{field, identities};
+use super::entrants::{field, identities, is_dynamic};
 use super::links;
 use super::player::Player;
 use super::recording;
@@ -81,7 +81,7 @@ fn open(args: &Play, players: &[Identity], console: Console) -> Result<Teams<Pla
     let layers = args.tuning.layers(const { &TeamForward::GRAPH }, "team")?;
     let player = |(index, me): (usize, &Identity)| {
         let network = PlayerNetwork::open(*me, &ports(args, None, *me)?)?;
-        let mut forward = forward(field.truth(index).attacks());
+        let mut forward = forward(field.truth(index).attacks(), is_dynamic(args));
         layers.apply(&mut *forward)?;
         let start = |folder: &PathBuf| recording::start(args, folder, *me, field.truth(index).attacks(), &forward);
         let recording = args.record.record.as_ref().map(start).transpose()?;
@@ -89,7 +89,7 @@ fn open(args: &Play, players: &[Identity], console: Console) -> Result<Teams<Pla
     };
     let mut robots = players.iter().enumerate().map(player).collect::<Result<Vec<_>, Failure>>()?;
     for ((index, player), world) in robots.iter_mut().enumerate().zip(field.worlds_mut()) {
-        if let Some(link) = links::open(args, (index, players[index]), world, console)? {
+        if let Some(link) = links::open(args, (index, players[index]), &mut **world, console)? {
             player.serve(link);
         }
     }

@@ -9,11 +9,13 @@ use bica_field::GoalColour;
 use bica_player::referee::{Identity, TeamForward};
 use bica_recording::{Header, ImagePolicy, Recorder};
 
+use super::entrants::is_dynamic;
 use crate::attacked;
 use crate::cli::Play;
 
-/// Name of the world.
+/// Names of the world, without and with dynamics.
 pub(in crate::referee) const WORLD: &str = "team";
+pub(in crate::referee) const MUJOCO: &str = "team-mujoco";
 
 /// Recording of a robot.
 pub(super) type RobotRecording = (RecordedFile, Recorder);
@@ -44,7 +46,8 @@ pub(super) fn start(
     robot: &TeamForward,
 ) -> Result<RobotRecording, Failure> {
     let options = [attacked::option(attacks)];
-    let set_up = [("world", WORLD.into()), ("seed", args.seed.into()), ("options", options[..].into())];
+    let world = if is_dynamic(args) { MUJOCO } else { WORLD };
+    let set_up = [("world", world.into()), ("seed", args.seed.into()), ("options", options[..].into())];
     let set_up = set_up.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
     let graph = const { &TeamForward::GRAPH };
     let header = Header { topics: args.record.topics(), ..Header::new(graph, set_up, ImagePolicy::All) };

@@ -2,7 +2,7 @@
 
 use bica::Tree;
 use bica_player::team::{Role, Roles};
-use bica_sim::kinematic::MatchField;
+use bica_sim::match_field::MatchField;
 use bica_sim::referee::{Event, Referee};
 use serde::Serialize;
 

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use bica_app::Failure;
 use bica_player::referee::Identity;
-use bica_sim::kinematic::MatchField;
+use bica_sim::match_field::MatchField;
 use serde::Serialize;
 
 /// Cycles between two lines: 20 lines a second.

@@ -1,13 +1,15 @@
 //! A field with the robots of two teams.
 
-use bica_core::action::Actions;
-use bica_motion::model::simulation::SimulatedModel;
-use bica_motion::pose::Pose2;
-use bica_motion::robot::{Command, Sensors};
-use glam::Vec2;
+use core::f32::consts::PI;
 
-use super::KinematicWorld;
-use super::world::Other;
+use bica_core::action::Actions;
+use bica_motion::kinematics::Skeleton;
+use bica_motion::model::simulation::SimulatedModel;
+use bica_motion::pose::{Pose2, wrap};
+use bica_motion::robot::{Command, Sensors};
+use glam::{Affine3A, Vec2};
+
+use crate::kinematic::{KinematicWorld, PosedRobot};
 use crate::referee::{Event, Posture, Referee};
 use crate::setup::{Setup, SetupError, Start};
 use crate::world::World;
@@ -21,35 +23,118 @@ pub struct Entrant {
     pub at: Pose2,
 }
 
+/// Another robot on the field, in the frame of a world.
+#[derive(Clone, Copy, Debug)]
+pub struct Other {
+    /// Pose on the ground.
+    pub(crate) pose: Pose2,
+    /// Its parts.
+    pub(crate) posed: PosedRobot,
+    /// Whether it lies.
+    pub(crate) is_down: bool,
+    /// Whether it belongs to the team of the world's robot.
+    pub(crate) is_teammate: bool,
+}
+
+impl Other {
+    /// A robot in the frame of its own team, or, `turned`, in that of the other one. `robot`: pose of the robot frame.
+    pub(crate) fn new(
+        model: &'static SimulatedModel,
+        (robot, skeleton): (Affine3A, &Skeleton),
+        truth: &Referee,
+        turned: bool,
+    ) -> Self {
+        let turn = if turned { Affine3A::from_rotation_z(PI) } else { Affine3A::IDENTITY };
+        let pose = truth.robot();
+        Self {
+            pose: if turned { Pose2 { position: -pose.position, heading: wrap(pose.heading + PI) } } else { pose },
+            posed: PosedRobot::new(model, turn * robot, skeleton),
+            is_down: matches!(truth.posture(), Posture::Down(_)),
+            is_teammate: !turned,
+        }
+    }
+}
+
+/// World of one robot of a match, in the frame of its team.
+pub trait MatchWorld: World {
+    /// The world for a call in another thread; `None` if it must stay in the thread that has built it.
+    fn as_send(&mut self) -> Option<&mut (dyn MatchWorld + Send)>;
+
+    /// Whether the robot has touched the ball in the last cycle.
+    fn touches(&self) -> bool;
+
+    /// Position and velocity of the ball, m and m/s.
+    fn ball(&self) -> [Vec2; 2];
+
+    /// Sets position and velocity of the ball: another robot has moved it.
+    fn follow_ball(&mut self, ball: [Vec2; 2]);
+
+    /// Cancels the return of the ball into play: an operator has placed it.
+    fn cancel_return(&mut self);
+
+    /// The robot as another one on the field, in the frame of the own team, or, `turned`, in that of the other one.
+    fn as_other(&self, turned: bool) -> Other;
+
+    /// Sets the other robots on the field, as obstacles, for the referee and in the next image.
+    fn set_others(&mut self, others: &[Other]);
+}
+
 /// A field with several robots that move. Each has a world of its own, in the frame of its team, in which the others are obstacles
-/// and are seen; the ball is one. A robot that overlaps another one is moved out of it. Robots do not push each other over.
-#[derive(Clone, Debug)]
+/// and are seen; the ball is one. Robots do not push each other over: in the built-in world a robot that overlaps another one is moved
+/// out of it, in MuJoCo the others are bodies that nothing moves.
 pub struct MatchField {
-    worlds: Vec<KinematicWorld>,
+    worlds: Vec<Box<dyn MatchWorld>>,
     entrants: Vec<Entrant>,
+    /// Index of the world whose robot has touched the ball last: its ball is that of all worlds.
+    owner: usize,
 }
 
 impl MatchField {
-    /// Builds a field in its start state, with the ball at the centre. The seed of a robot is that of `setup` plus its index; start
-    /// positions, goalkeeper and number of robots of `setup` have no effect.
+    /// Builds a field of the built-in world in its start state, with the ball at the centre. The seed of a robot is that of `setup` plus
+    /// its index; start positions, goalkeeper and number of robots of `setup` have no effect.
     ///
     /// # Errors
     /// If a robot does not fit at its pose.
     pub fn new(model: &'static SimulatedModel, setup: &Setup, entrants: &[Entrant]) -> Result<Self, SetupError> {
+        Self::of(setup, entrants, |setup, _| Ok(Box::new(KinematicWorld::new(model, setup)?)))
+    }
+
+    /// Builds a field as [`new`](Self::new) does, with the dynamics of MuJoCo.
+    ///
+    /// # Errors
+    /// If a robot does not fit at its pose, MuJoCo rejects the model, or no renderer is available.
+    #[cfg(feature = "mujoco")]
+    pub fn in_mujoco(
+        model: &'static SimulatedModel,
+        setup: &Setup,
+        entrants: &[Entrant],
+    ) -> Result<Self, crate::mujoco::Error> {
+        Self::of(setup, entrants, |setup, mates| {
+            Ok(Box::new(crate::mujoco::MujocoWorld::in_match(model, setup, mates)?))
+        })
+    }
+
+    /// Builds the worlds from their setups, and whether each of the others is a teammate.
+    fn of<E>(
+        setup: &Setup,
+        entrants: &[Entrant],
+        build: impl Fn(&Setup, &[bool]) -> Result<Box<dyn MatchWorld>, E>,
+    ) -> Result<Self, E> {
         let attacks = setup.attacks.unwrap_or(bica_field::GoalColour::Yellow);
-        let world = |(index, entrant): (u64, &Entrant)| {
+        let world = |(index, entrant): (usize, &Entrant)| {
             let setup = Setup {
-                seed: setup.seed.wrapping_add(index),
+                seed: setup.seed.wrapping_add(index as u64),
                 goalkeeper: false,
                 robots: 0,
                 start: Some(Start { robot: entrant.at, ball: Vec2::ZERO }),
                 attacks: Some(if entrant.is_second { attacks.other() } else { attacks }),
                 ..*setup
             };
-            KinematicWorld::new(model, &setup)
+            let others = entrants.iter().enumerate().filter(|(other, _)| *other != index);
+            build(&setup, &others.map(|(_, other)| other.is_second == entrant.is_second).collect::<Vec<_>>())
         };
-        let worlds = (0..).zip(entrants).map(world).collect::<Result<_, _>>()?;
-        let mut field = Self { worlds, entrants: entrants.to_vec() };
+        let worlds = entrants.iter().enumerate().map(world).collect::<Result<_, _>>()?;
+        let mut field = Self { worlds, entrants: entrants.to_vec(), owner: 0 };
         field.share_robots();
         Ok(field)
     }
@@ -61,7 +146,7 @@ impl MatchField {
     }
 
     /// The worlds of all robots, to read their sensors side by side. Only [`act`](Self::act) may act in them.
-    pub fn worlds_mut(&mut self) -> &mut [KinematicWorld] {
+    pub fn worlds_mut(&mut self) -> &mut [Box<dyn MatchWorld>] {
         &mut self.worlds
     }
 
@@ -115,20 +200,23 @@ impl MatchField {
         for (world, command) in self.worlds.iter_mut().zip(commands) {
             world.act(command);
         }
-        self.share_ball();
+        let touching = self.worlds.iter().position(|world| world.touches());
+        self.share_ball_of(touching.unwrap_or(self.owner));
         self.share_robots();
     }
 
-    /// Gives all worlds the ball of the one whose robot has touched it, or else of the first one.
-    fn share_ball(&mut self) {
-        self.share_ball_of(self.worlds.iter().position(KinematicWorld::touches).unwrap_or(0));
+    /// Reason why the match cannot continue; `None` if it can.
+    #[must_use]
+    pub fn failure(&self) -> Option<&str> {
+        self.worlds.iter().find_map(|world| world.failure())
     }
 
     /// Gives all worlds the ball of one of them.
     fn share_ball_of(&mut self, moved: usize) {
         let Some(world) = self.worlds.get(moved) else { return };
+        self.owner = moved;
         let (ball, side) = (world.ball(), self.entrants[moved].is_second);
-        for (index, world) in self.worlds.iter_mut().enumerate() {
+        for (index, world) in self.worlds.iter_mut().enumerate().filter(|(index, _)| *index != moved) {
             let is_turned = self.entrants[index].is_second != side;
             world.follow_ball(if is_turned { ball.map(|vector| -vector) } else { ball });
         }
@@ -138,9 +226,8 @@ impl MatchField {
     fn share_robots(&mut self) {
         for index in 0..self.worlds.len() {
             let own = self.entrants[index].is_second;
-            let shown = |(other, world): (usize, &KinematicWorld)| {
-                let is_teammate = self.entrants[other].is_second == own;
-                (other != index).then(|| world.as_other(!is_teammate, is_teammate))
+            let shown = |(other, world): (usize, &Box<dyn MatchWorld>)| {
+                (other != index).then(|| world.as_other(self.entrants[other].is_second != own))
             };
             let others: Vec<Other> = self.worlds.iter().enumerate().filter_map(shown).collect();
             self.worlds[index].set_others(&others);
@@ -179,7 +266,7 @@ impl MatchField {
         let before = self.worlds[robot].ball();
         let done = act(self.worlds[robot].actions());
         if self.worlds[robot].ball() != before {
-            self.worlds.iter_mut().for_each(KinematicWorld::cancel_return);
+            self.worlds.iter_mut().for_each(|world| world.cancel_return());
             self.share_ball_of(robot);
         }
         self.share_robots();
@@ -260,27 +347,6 @@ mod tests {
         }
         let apart = field.truth(0).robot().position.distance(field.truth(1).robot().position);
         assert!(apart > 0.15, "{apart} m");
-    }
-
-    #[test]
-    fn robot_sees_one_that_comes_into_its_view() {
-        let behind = Entrant { is_second: true, at: Pose2::new(-2.5, 0.5, 0.0) };
-        let mut field = field(&[MATES[0], behind]);
-        let seen = |field: &mut MatchField| {
-            let labels = field.worlds[0].segmentation_mask();
-            labels.iter().filter(|label| matches!(label, crate::segmentation::PixelLabel::OtherRobot(_))).count()
-        };
-        for _ in 0..10 {
-            field.act(&[standing(); 2]);
-        }
-        assert!(seen(&mut field) > 0, "it is ahead");
-        field.put_robot(1, Pose2::new(2.5, 1.5, 0.0)).expect("a free place");
-        assert!(field.truth(0).others()[0].position.distance(Vec2::new(-2.5, -1.5)) < 0.05, "the others know it");
-        assert!(field.put_robot(1, Pose2::new(1.0, 0.0, 0.0)).is_err(), "a robot is there");
-        for _ in 0..10 {
-            field.act(&[standing(); 2]);
-        }
-        assert_eq!(seen(&mut field), 0, "it is behind");
     }
 
     #[test]
