@@ -174,6 +174,20 @@ mod tests {
     }
 
     #[test]
+    fn budget_holds_after_the_last_packet() {
+        let control = Control { state: PlayState::Playing, ..Control::default() };
+        let mut pacer = Pacer::new();
+        let sent = (0..600_000).filter(|_| {
+            pacer.advance(CYCLE, Some(&control), 100, 3);
+            let may = pacer.may_send();
+            (0..u32::from(may)).for_each(|_| pacer.count());
+            may
+        });
+        let sent = sent.count();
+        assert!((20..=30).contains(&sent), "{sent} of a third of 91");
+    }
+
+    #[test]
     fn budget_lasts_until_the_end() {
         let (left, times) = play(300, 600, true);
         assert!(left < 80, "{left}");

@@ -110,10 +110,19 @@ mod tests {
                 assert_eq!(Penalty::of(version, number).number(version), Some(number));
             }
         }
-        assert_eq!(Penalty::MotionInStop.number(Version::V19), None);
-        assert_eq!(
-            (Penalty::of(Version::V19, 11), Penalty::of(Version::V20, 11)),
-            (Penalty::Substitute, Penalty::Cautioned)
-        );
+        // By the header file of the GameController.
+        for (penalty, numbers) in [
+            (Penalty::MotionInSet, [Some(2), Some(2)]),
+            (Penalty::MotionInStop, [None, Some(3)]),
+            (Penalty::LocalGameStuck, [Some(3), Some(4)]),
+            (Penalty::PickUp, [Some(5), Some(6)]),
+            (Penalty::BallHolding, [Some(6), Some(7)]),
+            (Penalty::LeavingField, [Some(7), Some(8)]),
+            (Penalty::Pushing, [Some(9), Some(10)]),
+            (Penalty::Cautioned, [None, Some(11)]),
+            (Penalty::Substitute, [Some(11), Some(13)]),
+        ] {
+            assert_eq!([Version::V19, Version::V20].map(|version| penalty.number(version)), numbers, "{penalty:?}");
+        }
     }
 }
