@@ -4,11 +4,14 @@ import math
 import os
 
 import mujoco
+import numpy as np
 
 LEGS = {"t1": (-27.669, 0, 0, 47.965, -20.296, 0), "k1": (-22.596, 0, 0, 46.388, -23.792, 0)}
 ARM = (0, -83, 0, -5.73)
 TORQUE = {"t1": [7, 7] + [18] * 8 + [30] + [45, 30, 30, 60, 20, 15] * 2, "k1": None}
 FLOOR = '<geom name="floor" type="plane" size="0 0 1" contype="4" conaffinity="3" condim="3" friction="1 0.01 0.0005"/>'
+BALL = ('<body name="Ball"><freejoint name="Ball"/><geom type="sphere" size="0.0325" mass="0.055" contype="16" conaffinity="45" condim="6" '
+        'priority="2" friction="0.7 0.003 0.0016" solref="0.01 0.25"/></body>')  # that of the NAO's field
 STEP = 0.002
 
 
@@ -16,17 +19,22 @@ class Dynamics:
     def __init__(self, robot, torque):
         folder = os.path.join(os.path.dirname(__file__), "../../bica-motion/models", robot)
         with open(os.path.join(folder, "robot.xml"), encoding="utf-8") as file:
-            self.model = mujoco.MjModel.from_xml_string(file.read().replace("<worldbody>", "<worldbody>" + FLOOR, 1))
+            self.model = mujoco.MjModel.from_xml_string(file.read().replace("<worldbody>", "<worldbody>" + FLOOR, 1)
+                                                         .replace("</worldbody>", BALL + "</worldbody>", 1))
         self.data = mujoco.MjData(self.model)
         self.model.opt.timestep = STEP
         count = self.model.nu
         waist = (0,) if count == 23 else ()
         right = (0, 83, 0, 5.73)
-        self.stand = [math.radians(angle) for angle in (0, 0, *ARM, *right, *waist, *LEGS[robot], *LEGS[robot])]
-        self.torque = TORQUE[robot] or [torque] * count
+        self.stand = np.radians([0, 0, *ARM, *right, *waist, *LEGS[robot], *LEGS[robot]])
+        self.torque = np.array(TORQUE[robot] or [torque] * count)
+        self.held = np.where(np.arange(count) > 9, 400.0, 40.0)
         # The robot's motors damp: what is commanded replaces the damping of the model.
-        self.damping = [float(value) for value in self.model.dof_damping[6:]]
-        self.data.qpos[7:] = self.stand
+        self.damping = self.model.dof_damping[6:6 + count].copy()
+        self.joints, self.speeds = self.data.qpos[7:7 + count], self.data.qvel[6:6 + count]
+        self.joints[:] = self.stand
+        self.ball = self.data.joint("Ball")
+        self.place_ball(-3.0, 0.0)
         self.data.qpos[2] = 1.0
         mujoco.mj_forward(self.model, self.data)
         soles = [self.data.geom(name).xpos[2] - self.model.geom(name).size[2] for name in ("LSole", "RSole")]
@@ -34,23 +42,18 @@ class Dynamics:
 
     def advance(self, steps, motors, is_held):
         """Some steps with the commanded gains, or with those of the firmware, which holds the stand or damps."""
+        if motors is not None:
+            kp, kd, target, torque = np.array([(motor.kp, motor.kd, motor.q, motor.tau) for motor in motors]).T
+        else:
+            kp, kd, target, torque = self.held * is_held, self.damping, self.stand, 0.0
+        self.model.dof_damping[6:6 + len(kd)] = kd
         for _ in range(steps):
-            q, dq = self.data.qpos[7:], self.data.qvel[6:]
-            for index in range(self.model.nu):
-                if motors is not None:
-                    motor = motors[index]
-                    torque = motor.kp * (motor.q - q[index]) + motor.tau
-                    damping = motor.kd
-                else:
-                    torque = (400.0 if index > 9 else 40.0) * (self.stand[index] - q[index]) if is_held else 0.0
-                    damping = self.damping[index]
-                limit = self.torque[index]
-                self.data.ctrl[index] = min(max(torque - damping * dq[index], -limit), limit) + damping * dq[index]
-                self.model.dof_damping[6 + index] = damping
+            damped = kd * self.speeds
+            self.data.ctrl[:] = np.clip(kp * (target - self.joints) + torque - damped, -self.torque, self.torque) + damped
             mujoco.mj_step(self.model, self.data)
 
     def angles(self):
-        return [float(angle) for angle in self.data.qpos[7:]], [float(speed) for speed in self.data.qvel[6:]]
+        return self.joints.tolist(), self.speeds.tolist()
 
     def inertial(self):
         """Roll, pitch and yaw, angular velocity, specific force."""
@@ -64,6 +67,15 @@ class Dynamics:
     def push(self):
         """A velocity of 2.5 m/s ahead, which no step stops."""
         self.data.qvel[0] += 2.5
+
+    def place_ball(self, x, y):
+        self.ball.qpos[:] = [x, y, 0.0325, 1, 0, 0, 0]
+        self.ball.qvel[:] = 0
+
+    def ground(self):
+        """Position between the ankles, m, and heading, rad."""
+        x, y, _ = sum(self.data.xpos[self.model.geom(name).bodyid[0]] for name in ("LSole", "RSole")) / 2
+        return x, y, self.inertial()[0][2]
 
     def pose(self):
         """Position along x and y, height of the hips, m, and yaw, rad."""

@@ -1,11 +1,13 @@
 """A Booster T1 or K1 behind its topics, without dynamics: joints go where they are sent. It checks each message and prints violations.
 
-    python3 robots/booster/stand_in.py t1|k1 [--domain 0] [--seconds 30] [--fault KIND@SECOND ...] [--player COMMAND ...]
+    python3 robots/booster/stand_in.py t1|k1 [--domain 0] [--seconds 30] [--fault KIND@SECOND ...] [--frames SOCKET] [--kill]
+                                       [--player COMMAND ...]
 
 Faults, with times since the program has the robot: nan, count (20 states), gap (0.2 s), silence (1 s), deaf (no answers, 0.8 s), leave
 (to damping), fall (maker's gait), push (with --mujoco, to the ground); `refuse@S` refuses all modes until S seconds after the first
 request. With --player, the last option, the command is started, ended by SIGTERM after --seconds, and must end with exit code 0 within
-6 s. With --mujoco, the robot has dynamics, and its pose is printed each second. Needs `cyclonedds` and, for --mujoco, `mujoco`. Exit code
+6 s; with --kill it is ended by SIGKILL, and the robot must be damped or prepared by its guard within 6 s. --frames serves images of a ball
+straight ahead, to which the maker's gait must be sent. With --mujoco, the robot has dynamics, and its pose is printed each second. Needs `cyclonedds` and, for --mujoco, `mujoco`. Exit code
 1 after a violation.
 """
 
@@ -15,11 +17,16 @@ import math
 import os
 import random
 import signal
+import socket
+import struct
 import subprocess
 import sys
+import threading
 import time
 
 LOOPBACK = "<General><Interfaces><NetworkInterface address='127.0.0.1' multicast='true'/></Interfaces></General>"
+# A loopback interface takes no multicast of the program, which answers an announcement of the robot.
+LOOPBACK += "<Discovery><SPDPInterval>1s</SPDPInterval></Discovery>"
 os.environ.setdefault("CYCLONEDDS_URI", f"<CycloneDDS><Domain>{LOOPBACK}</Domain></CycloneDDS>")
 
 from cyclonedds.core import Policy, Qos  # noqa: E402
@@ -37,6 +44,8 @@ LEGS = {"t1": [(-1.8, 1.57), (-0.2, 1.57), (-1, 1), (0, 2.34), (-0.87, 0.35), (-
 HEAD = {"t1": [(-1.57, 1.57), (-0.35, 1.22)], "k1": [(-1, 1), (-0.349, 0.855)]}
 TORQUE = {"t1": 60, "k1": 40}
 DAMPING, PREPARE, WALKING, CUSTOM, SOCCER = range(5)
+SIZE, BALL = (320, 240), (170, 6)  # pixels: of an image; row and radius of a ball
+GREEN, ORANGE = bytes([75, 113, 75, 92]), bytes([128, 63, 128, 209])  # Y U Y V
 LATENCY = 0.1  # s, of messages that were on their way when the mode changed or a fault began
 
 
@@ -78,7 +87,7 @@ class Robot:
         faults = [fault for fault in faults if fault[0] != "refuse"]
         self.faults, self.active, self.fall, self.fell = sorted(faults, key=lambda fault: fault[1]), {}, 0, None
         self.asked, self.refused, self.violations, self.counts, self.speed = None, {}, [], {}, 0.0
-        self.silent_since, self.rested = None, None
+        self.silent_since, self.rested, self.velocity, self.turn = None, None, 0.0, 0.0
 
     def violation(self, text):
         self.violations.append(text)
@@ -119,7 +128,7 @@ class Robot:
         if self.is_active("nan"):
             motors[number % len(motors)].q = math.nan
         serial = motors[:-1] if self.is_active("count") else motors
-        measured = self.dynamics.inertial() if self.dynamics else ([0.0] * 3, [0.0] * 3, [0.0, 0.0, 9.81])
+        measured = self.dynamics.inertial() if self.dynamics else ([0.0] * 3, [0.0, 0.0, self.turn], [0.0, 0.0, 9.81])
         imu = ImuState(*([value + noise(0, sigma) for value in values] for values, sigma in zip(measured, (1e-3, 1e-3, 0.02))))
         self.states.write(LowState(imu, motors, serial))
         self.count("states")
@@ -194,8 +203,11 @@ class Robot:
             status = self.change(body.get("mode"))
         elif service == 2001:
             is_early = self.mode not in (WALKING, SOCCER) and self.now - self.mode_since > 0.6
+            self.velocity, self.turn = max(self.velocity, body.get("vx", 0.0)), body.get("vyaw", 0.0)
             if is_early or set(body) != {"vx", "vy", "vyaw"}:
                 self.violation(f"velocity {body} in mode {self.mode}")
+        elif service == 2004:
+            self.q[0], self.q[1] = body["yaw"], body["pitch"]
         elif service == 2008:
             if self.fall != 2:
                 self.violation("getting up without a fall")
@@ -246,6 +258,7 @@ class Robot:
         is_commanded = self.mode == CUSTOM and self.last is not None
         # The robot hangs on a crane until a program has it: the firmware's own balance is not modelled.
         is_held = self.mode in (PREPARE, WALKING, SOCCER) or self.entered is None
+        self.counts["steps lost"] = self.counts.get("steps lost", 0) + max(0, number - self.stepped - 10)
         self.dynamics.advance(min(number - self.stepped, 10), self.last if is_commanded else None, is_held)
         self.stepped = number
         self.q, self.dq = self.dynamics.angles()
@@ -254,20 +267,25 @@ class Robot:
             print("pose at {:.1f} s: x {:.3f} m, y {:.3f} m, height {:.3f} m, yaw {:.3f} rad".format(*self.track[-1]), flush=True)
 
 
-def run(robot, seconds, player):
-    """Publishes 500 states a second; returns whether the program ended in order."""
+def run(robot, seconds, player, script=None, ending=signal.SIGTERM):
+    """Publishes 500 states a second until the time is up or the script is over; returns whether the program ended in order."""
     number, end, process, stopped = 0, None, None, None
     if player:
         process = subprocess.Popen(player)
     while True:
         robot.step(number)
         number += 1
-        if end is None and robot.now >= seconds:
+        is_over = script is not None and next(script, robot) is robot
+        if end is None and (is_over or robot.now >= seconds):
             if process is None:
                 return True
-            process.send_signal(signal.SIGTERM)
+            process.send_signal(ending)
             end, stopped = robot.now + 6.0, robot.now
-        if process is not None and process.poll() is not None:
+        if process is not None and process.poll() is not None and stopped is not None and ending == signal.SIGKILL:
+            # The guard has the robot; a mode that is left at once is seen by the last gains.
+            if robot.mode in (DAMPING, PREPARE) and not robot.gains and robot.now > stopped + 1.0:
+                return True
+        elif process is not None and process.poll() is not None:
             robot.counts["exit"] = process.returncode
             if stopped is None:
                 robot.violation("the program has ended by itself")
@@ -281,18 +299,57 @@ def run(robot, seconds, player):
         number = max(number, int((time.monotonic() - robot.start) / 0.002) - 5)
 
 
+class Camera:
+    """Serves images of a ball on a field, 30 a second, on a thread of its own."""
+
+    def __init__(self, path):
+        self.listener, self.images = socket.socket(socket.AF_UNIX), 0
+        if os.path.exists(path):
+            os.unlink(path)
+        self.listener.bind(path)
+        self.listener.listen(1)
+        threading.Thread(target=self.serve, daemon=True).start()
+
+    def serve(self):
+        link, _ = self.listener.accept()
+        pixels, noise = bytearray(scene()), random.Random(0)
+        while True:
+            # An image without noise is that of a broken camera.
+            pixels[2 * noise.randrange(len(pixels) // 2)] ^= 1
+            try:
+                link.sendall(struct.pack("<4sBBHHHIQII", b"FRM1", 0, 0, 0, *SIZE, 0, 0, len(pixels), 0) + pixels)
+            except OSError:
+                return
+            self.images += 1
+            time.sleep(1 / 30)
+
+
+def scene():
+    """A ball in the middle of a green image, in YUYV."""
+    (width, height), (middle, radius) = SIZE, BALL
+    half = lambda row: int(math.sqrt(max(0, radius ** 2 - (row - middle) ** 2)) / 2)
+    return b"".join(GREEN * (width // 4 - half(row)) + ORANGE * (2 * half(row)) + GREEN * (width // 4 - half(row)) for row in range(height))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("robot", choices=["t1", "k1"])
     parser.add_argument("--domain", type=int, default=0)
     parser.add_argument("--seconds", type=float, default=30.0)
     parser.add_argument("--fault", action="append", default=[])
+    parser.add_argument("--frames", metavar="SOCKET")
+    parser.add_argument("--kill", action="store_true")
     parser.add_argument("--mujoco", action="store_true")
     parser.add_argument("--player", nargs=argparse.REMAINDER)
     options = parser.parse_args()
     faults = [(kind, float(at)) for kind, at in (fault.split("@") for fault in options.fault)]
     robot = Robot(options.robot, options.domain, faults, options.mujoco)
-    is_ended = run(robot, options.seconds, options.player)
+    camera = Camera(options.frames) if options.frames else None
+    is_ended = run(robot, options.seconds, options.player, ending=signal.SIGKILL if options.kill else signal.SIGTERM)
+    if camera and camera.images < 10 * options.seconds / 2:
+        robot.violation(f"only {camera.images} images were read")
+    if camera and robot.counts.get("request 2001") and robot.velocity < 0.05:
+        robot.violation(f"the robot does not go to the ball: {robot.velocity} m/s at most")
     if robot.entered is None or robot.faults:
         robot.violation(f"nobody has taken the robot, or there was no time for the faults {robot.faults}")
     if options.player:

@@ -19,6 +19,7 @@
 //! The build of the tests decides whether the images exist. After adding them, set `BICA_SHARED` or run `cargo clean -p
 //! bica-tests`.
 
+pub mod peer;
 pub mod process;
 pub mod random;
 

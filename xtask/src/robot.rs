@@ -6,8 +6,8 @@ use crate::build;
 use crate::install::{folder, python};
 use crate::process::run;
 
-/// What the stand-ins need: a DDS for the Booster, and dynamics.
-const PACKAGES: [&str; 3] = ["cyclonedds==11.0.*", "mujoco==3.17.0", "numpy"];
+/// What the stand-ins need: a DDS for the Booster, dynamics, and another encoder of a NAO's maps.
+const PACKAGES: [&str; 4] = ["cyclonedds==11.0.*", "msgpack==1.2.*", "mujoco==3.17.0", "numpy"];
 
 /// Runs of the program with the stand-in of a NAO: in step, then in real time.
 const NAOS: [&[&str]; 2] = [
@@ -15,16 +15,25 @@ const NAOS: [&[&str]; 2] = [
     &["--seconds", "17", "--realtime", "--fault", "missing@4", "--fault", "restart@5"],
 ];
 
-/// Runs of the program with a Booster's stand-in: robot, domain of DDS, gait, duration and faults.
-const BOOSTERS: [(&str, &str, &str, &[&str]); 3] = [
+/// Socket of the images for a Booster's program.
+const FRAMES: &str = "target/robot/frames";
+
+/// Runs of the program with a Booster's stand-in: robot, domain of DDS, and the options of both.
+const BOOSTERS: [(&str, &str, &[&str], &[&str]); 4] = [
     (
         "t1",
         "61",
-        "own",
         &["--seconds", "25", "--fault", "refuse@2", "--fault", "nan@3", "--fault", "deaf@5", "--fault", "leave@7"],
+        &[],
     ),
-    ("k1", "62", "own", &["--seconds", "25", "--fault", "count@3", "--fault", "gap@4", "--fault", "silence@5"]),
-    ("k1", "63", "firmware", &["--seconds", "20", "--fault", "fall@4"]),
+    ("k1", "62", &["--seconds", "25", "--fault", "count@3", "--fault", "gap@4", "--fault", "silence@5"], &[]),
+    (
+        "k1",
+        "63",
+        &["--seconds", "20", "--fault", "fall@10", "--frames", FRAMES],
+        &["--gait", "firmware", "--frames", FRAMES],
+    ),
+    ("t1", "64", &["--seconds", "12", "--kill"], &[]),
 ];
 
 /// Installs the packages of the stand-ins, with pip; returns the interpreter of their environment.
@@ -33,10 +42,10 @@ const BOOSTERS: [(&str, &str, &str, &[&str]); 3] = [
 /// If an installation fails.
 pub(crate) fn install() -> Result<String, String> {
     let venv = folder("robot").to_string_lossy().into_owned();
-    python(&venv, "cyclonedds, mujoco, numpy", &PACKAGES)
+    python(&venv, "cyclonedds, msgpack, mujoco, numpy", &PACKAGES)
 }
 
-/// Runs the program with each stand-in, which checks what it gets, and compares the messages of a Booster with those of Cyclone DDS.
+/// Runs the program with each stand-in, which checks what it gets, and compares the messages with those of Cyclone DDS and of msgpack.
 ///
 /// # Errors
 /// If an installation or a run fails.
@@ -45,12 +54,12 @@ pub(crate) fn check() -> Result<(), String> {
     let python = install()?;
     let program = build::program("player");
     NAOS.iter().try_for_each(|arguments| nao(&python, &program, arguments))?;
-    build::cargo("test", &["--test", "robot", "peer_"], &[("BICA_CYCLONE", &python)])?;
-    for (robot, domain, gait, arguments) in BOOSTERS {
+    build::cargo("test", &["--test", "robot", "peer_"], &[("BICA_PEERS", &python)])?;
+    for (robot, domain, arguments, options) in BOOSTERS {
         let stand_in = ["robots/booster/stand_in.py", robot, "--domain", domain];
         let player = ["--player", &program, "play", "--world", "booster", "--robot", robot, "--dds-domain", domain];
-        let options = ["--dds-interface", "127.0.0.1", "--gait", gait];
-        run(&python, &[&stand_in[..], arguments, &player, &options].concat(), &[])?;
+        let interface = ["--dds-interface", "127.0.0.1"];
+        run(&python, &[&stand_in[..], arguments, &player, &interface, options].concat(), &[])?;
     }
     Ok(())
 }

@@ -2,12 +2,12 @@
 
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::model::simulation::{self, SimulatedModel};
-use bica_motion::model::{Range, RobotModel};
+use bica_motion::model::{HeadPitchLimit, Range, RobotModel};
 
 /// A robot of Booster, as its motors are addressed.
 #[derive(Debug)]
 pub struct Body {
-    /// Its model: name, stand, ranges.
+    /// Its model: name, stand, and ranges, which are narrower than the simulated ones where the robot's stops are nearer.
     pub model: &'static RobotModel,
     /// Joint of each motor, in the robot's order.
     pub motors: &'static [Joint],
@@ -15,8 +15,6 @@ pub struct Body {
     pub kp: &'static Joints,
     /// Largest torque of each joint, Nm.
     pub torque: &'static Joints,
-    /// Ranges of joints whose stops are nearer than those of the model. Source: B-Human's release of 2025.
-    narrower: &'static [(Joint, Range)],
 }
 
 /// Order of the T1's motors: the waist is between arms and legs.
@@ -35,26 +33,49 @@ const K1_MOTORS: &[Joint] = simulation::K1.robot.joints;
 /// Number of motors before the legs.
 const FIRST_LEG: usize = 10;
 
-const fn range(min: f32, max: f32) -> Range {
+pub(crate) const fn range(min: f32, max: f32) -> Range {
     Range { min, max }
 }
 
-/// Booster T1.
-pub const T1: &Body = &Body {
-    narrower: &[
+/// The ranges of a model, of which some are narrower. Source: B-Human's release of 2025.
+const fn narrowed<const N: usize>(model: &RobotModel, narrower: [(Joint, Range); N]) -> Joints<Range> {
+    let (mut limits, mut i) = (*model.limits, 0);
+    while i < N {
+        limits.0[narrower[i].0.index()] = narrower[i].1;
+        i += 1;
+    }
+    limits
+}
+
+const T1_LIMITS: Joints<Range> = narrowed(
+    simulation::T1.robot,
+    [
         (Joint::HeadYaw, range(-1.01, 1.01)),
         (Joint::HeadPitch, range(-0.31, 0.95)),
         (Joint::WAIST_YAW, range(-1.01, 1.01)),
     ],
-    ..body(simulation::T1, &T1_MOTORS)
+);
+const K1_LIMITS: Joints<Range> = narrowed(simulation::K1.robot, [(Joint::HeadPitch, range(-0.30, 0.75))]);
+
+const T1_MODEL: &RobotModel = &RobotModel {
+    limits: &T1_LIMITS,
+    head_pitch_limits: &[HeadPitchLimit::degrees(0.0, -17.7, 54.4)],
+    ..*simulation::T1.robot
+};
+const K1_MODEL: &RobotModel = &RobotModel {
+    limits: &K1_LIMITS,
+    head_pitch_limits: &[HeadPitchLimit::degrees(0.0, -17.1, 42.9)],
+    ..*simulation::K1.robot
 };
 
-/// Booster K1.
-pub const K1: &Body = &Body { narrower: &[(Joint::HeadPitch, range(-0.30, 0.75))], ..body(simulation::K1, K1_MOTORS) };
+/// Booster T1.
+pub const T1: &Body = &body(T1_MODEL, simulation::T1, &T1_MOTORS);
 
-const fn body(model: &'static SimulatedModel, motors: &'static [Joint]) -> Body {
-    let kp = model.mujoco.gains;
-    Body { model: model.robot, motors, kp, torque: model.mujoco.torque_limits, narrower: &[] }
+/// Booster K1.
+pub const K1: &Body = &body(K1_MODEL, simulation::K1, K1_MOTORS);
+
+const fn body(model: &'static RobotModel, simulated: &'static SimulatedModel, motors: &'static [Joint]) -> Body {
+    Body { model, motors, kp: simulated.mujoco.gains, torque: simulated.mujoco.torque_limits }
 }
 
 /// Velocity gain of each joint, Nm·s/rad: the damping of the motor controllers in the models with which the gait was tuned.
@@ -85,8 +106,7 @@ impl Body {
     /// Range of the targets of a joint, rad.
     #[must_use]
     pub fn range(&self, joint: Joint) -> Range {
-        let narrower = self.narrower.iter().find(|(of, _)| *of == joint).map(|(_, range)| *range);
-        narrower.unwrap_or(self.model.limits[joint])
+        self.model.limits[joint]
     }
 
     /// Velocity gain of a joint, Nm·s/rad.
@@ -131,7 +151,7 @@ mod tests {
 
     #[test]
     fn each_joint_has_one_motor_and_gains() {
-        for body in [T1, K1] {
+        for (body, simulated) in [(T1, simulation::T1), (K1, simulation::K1)] {
             let mut motors: Vec<_> = body.motors.to_vec();
             motors.sort();
             let mut joints = body.model.joints.to_vec();
@@ -140,7 +160,8 @@ mod tests {
             for joint in joints {
                 let (kp, kd, Range { min, max }) = (body.kp[joint], body.kd(joint), body.range(joint));
                 assert!((1.0..=1000.0).contains(&kp) && (0.1..=50.0).contains(&kd) && min < max, "{joint:?}");
-                assert!(body.model.limits[joint].min <= min && max <= body.model.limits[joint].max, "{joint:?}");
+                let widest = simulated.robot.limits[joint];
+                assert!(widest.min <= min && max <= widest.max, "{joint:?}");
             }
         }
     }

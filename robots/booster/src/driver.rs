@@ -19,6 +19,8 @@ use crate::start::HEARD;
 pub(crate) const REST: Duration = Duration::from_millis(50);
 /// Time without a state after which the motors damp.
 pub(crate) const SILENT: Duration = Duration::from_millis(500);
+/// Time that the robot program may take for a cycle, a generous one: a computer may be busy.
+const PATIENCE: Duration = Duration::from_secs(30);
 /// Least time between two lines about states that were not used.
 const BETWEEN_REJECTIONS: Duration = Duration::from_secs(1);
 
@@ -86,6 +88,8 @@ pub struct Driver {
     heard: Option<Duration>,
     rejected_at: Option<Duration>,
     pub(crate) offered: Option<Duration>,
+    /// When the next cycle of the robot program begins.
+    pub(crate) due: Duration,
     pub(crate) sent: Option<Duration>,
     /// When the gains were taken away.
     pub(crate) limp_since: Option<Duration>,
@@ -129,6 +133,7 @@ impl Driver {
             heard: None,
             rejected_at: None,
             offered: None,
+            due: Duration::ZERO,
             sent: None,
             limp_since: None,
             has_gains: false,
@@ -141,10 +146,20 @@ impl Driver {
         }
     }
 
+    /// Driver of the guard of a program that has the robot: it only listens, until the end is requested because the program is gone.
+    #[must_use]
+    pub fn guarding(body: &'static Body, gait: Gait, own: u64) -> Self {
+        Self { phase: Phase::Guarding, has_gains: gait == Gait::Own, ..Self::new(body, gait, own) }
+    }
+
     /// Looks at what has come until `now`, the time since the start of the program; returns what to send.
     pub fn step(&mut self, now: Duration, inputs: &Inputs<'_>) -> Outputs {
         self.hear(now, inputs);
-        if inputs.stop && self.stopped.is_none() {
+        let hangs = self.hangs(now);
+        if (inputs.stop || hangs) && self.stopped.is_none() {
+            if hangs {
+                self.say(format!("the robot program hangs: it has not answered for {} s", PATIENCE.as_secs()));
+            }
             self.begin_end(now);
         }
         match self.phase {
@@ -158,9 +173,17 @@ impl Driver {
             Phase::Damping => self.damp(now),
             Phase::Left => self.stay_limp(now),
             Phase::Ending(ending) => self.end(now, ending),
+            // The program says it.
+            Phase::Guarding => self.out.notes.clear(),
             Phase::Over => {}
         }
-        if self.heard.is_some() && self.phase != Phase::Over {
+        let asks = match self.phase {
+            Phase::Over => false,
+            // A robot that walks by itself is stopped in a mode that is known.
+            Phase::Guarding => self.gait == Gait::Firmware,
+            _ => self.heard.is_some(),
+        };
+        if asks {
             let question = self.modes.ask(now);
             self.out.requests.extend(question);
         }
@@ -171,6 +194,17 @@ impl Driver {
     #[must_use]
     pub fn is_over(&self) -> bool {
         self.phase == Phase::Over
+    }
+
+    /// Whether the program has requested a mode of the robot, and not given it back.
+    #[must_use]
+    pub const fn has_robot(&self) -> bool {
+        !matches!(self.phase, Phase::Waiting(_) | Phase::Left | Phase::Over)
+    }
+
+    /// Whether the robot program takes too long for its cycle.
+    pub(crate) fn hangs(&self, now: Duration) -> bool {
+        self.turn == Turn::Offered && self.offered.is_some_and(|offered| now.saturating_sub(offered) >= PATIENCE)
     }
 
     /// Whether the program has ended in order: the robot is not left with targets.

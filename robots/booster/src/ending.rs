@@ -28,7 +28,7 @@ impl Driver {
             Phase::Over => {}
             // Nothing was sent yet, or somebody else has the robot.
             Phase::Waiting(_) | Phase::Left => self.finish("the program ends; the robot is as it was"),
-            Phase::Following if self.gait == Gait::Firmware => {
+            Phase::Following | Phase::Guarding if self.gait == Gait::Firmware => {
                 self.say("the program ends: the robot stops, and the firmware holds it");
                 let request = self.firmware.stop(now, &mut self.modes);
                 self.out.requests.extend(request);

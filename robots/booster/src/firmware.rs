@@ -2,6 +2,10 @@
 
 use std::time::Duration;
 
+use bica_motion::joints::Joint;
+use bica_motion::model::Range;
+
+use crate::body::{Body, range};
 use crate::message::{FallDownState, RpcReqMsg};
 use crate::mode::ModeKeeper;
 use crate::rpc::{Mode, Request};
@@ -16,8 +20,6 @@ const BETWEEN_GETUPS: Duration = Duration::from_secs(2);
 const AFTER_FALL: Duration = Duration::from_secs(10);
 /// Largest speeds: forward and left, m/s, and turn, rad/s. Source: the maker's demonstration for `RoboCup`.
 const MAX_VELOCITY: [f32; 3] = [1.0, 0.4, 1.2];
-/// Largest angles of the head that are requested: pitch and yaw, rad.
-const MAX_HEAD: [f32; 2] = [0.7, 0.7];
 /// Changes that are not sent at once.
 const SMALL: f32 = 0.01;
 
@@ -85,19 +87,19 @@ impl Firmware {
     }
 
     /// Requests a motion; in a mode without a gait, none.
-    pub(crate) fn go(&mut self, now: Duration, modes: &mut ModeKeeper, motion: &Motion) -> Vec<RpcReqMsg> {
+    pub(crate) fn go(&mut self, now: Duration, modes: &mut ModeKeeper, motion: &Motion, body: &Body) -> Vec<RpcReqMsg> {
         let mut requests = Vec::new();
         if !matches!(modes.known(now), Some(Mode::Walking | Mode::Soccer)) {
             return requests;
         }
-        let velocity = limited(motion.velocity, MAX_VELOCITY);
+        let velocity = limited(motion.velocity, MAX_VELOCITY.map(|most| range(-most, most)));
         if self.velocity.is_due(now, velocity)
             && let Some(request) = modes.call(now, Request::Move(velocity))
         {
             self.velocity = Sent(Some((velocity, now)));
             requests.push(request);
         }
-        let head = limited(motion.head, MAX_HEAD);
+        let head = limited(motion.head, [body.range(Joint::HeadPitch), body.range(Joint::HeadYaw)]);
         if self.head.is_due(now, head)
             && let Some(request) = modes.call(now, Request::Head(head))
         {
@@ -127,12 +129,6 @@ impl Firmware {
     }
 }
 
-fn limited<const N: usize>(values: [f32; N], most: [f32; N]) -> [f32; N] {
-    let mut limited = [0.0; N];
-    for (index, limited) in limited.iter_mut().enumerate() {
-        if values[index].is_finite() {
-            *limited = values[index].clamp(-most[index], most[index]);
-        }
-    }
-    limited
+fn limited<const N: usize>(values: [f32; N], ranges: [Range; N]) -> [f32; N] {
+    std::array::from_fn(|index| if values[index].is_finite() { ranges[index].clamp(values[index]) } else { 0.0 })
 }

@@ -2,14 +2,18 @@
 
 use std::time::Duration;
 
+use bica_motion::joints::Joint;
+
 use crate::CYCLE;
-use crate::driver::{Driver, REST, SILENT, Turn};
+use crate::driver::{Driver, Gait, REST, SILENT, Turn};
 use crate::firmware::{Motion, Standing};
 use crate::message::LowCmd;
 use crate::phase::{Phase, Waiting};
 use crate::rpc::Mode;
 use crate::start::HEARD_AGAIN;
 
+/// Joints that the firmware's gait moves on request.
+const HEAD: [Joint; 2] = [Joint::HeadYaw, Joint::HeadPitch];
 /// Least time between two commands: an answer that is early waits, so that no target moves faster than the limiter allows.
 const SOONEST: Duration = Duration::from_millis(8);
 /// Time after which the last targets are sent again if the robot program is late.
@@ -61,11 +65,20 @@ impl Driver {
 
     /// Offers the robot program a cycle if it is time to.
     pub(crate) fn offer(&mut self, now: Duration) {
-        let since = self.offered.map_or(CYCLE, |offered| now.saturating_sub(offered));
-        if self.turn == Turn::Offered || since < CYCLE {
+        if self.turn == Turn::Offered || now < self.due {
             return;
         }
         let Some(mut sensors) = self.sensors else { return };
+        let since = self.offered.map_or(CYCLE, |offered| now.saturating_sub(offered));
+        if self.gait == Gait::Firmware {
+            // The firmware's legs do not follow the targets of this program, whose monitor of joints would call them stuck, and whose
+            // odometry would measure them: it gets the body that follows its own walk, with the head of the robot.
+            for &joint in self.body.motors.iter().filter(|joint| !HEAD.contains(joint)) {
+                sensors.angles[joint] = self.last.targets[joint];
+            }
+        }
+        // A cycle that begins late does not delay those after it, except by a whole cycle or more.
+        self.due = CYCLE + if now < self.due + CYCLE { self.due } else { now };
         let (roll, pitch) = (sensors.inertial.roll, sensors.inertial.pitch);
         self.estimator.complete(&mut sensors, since.min(10 * CYCLE).as_secs_f32());
         // The robot's own estimate is better than that of this filter, which serves the forces on the soles.
@@ -146,7 +159,7 @@ impl Driver {
         match self.firmware.standing(now, mode) {
             Standing::Walks => {
                 let motion = if self.silence(now) > REST { Motion::default() } else { self.motion };
-                let requests = self.firmware.go(now, &mut self.modes, &motion);
+                let requests = self.firmware.go(now, &mut self.modes, &motion, self.body);
                 self.out.requests.extend(requests);
             }
             Standing::Lies => {

@@ -7,6 +7,8 @@ use bica_motion::joints::Joints;
 /// Phase of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Phase {
+    /// The program has the robot, and this driver is that of its guard.
+    Guarding,
     /// States do not come, or did not for long enough.
     Waiting(Waiting),
     /// The firmware brings the robot to its standing posture; time of the first answer that says so.

@@ -8,6 +8,7 @@ use bica_motion::robot::{Command, Sensors};
 
 use crate::driver::{Counts, Driver, Inputs};
 use crate::firmware::Motion;
+use crate::guard::Guard;
 use crate::options::Options;
 use crate::transport::Transport;
 
@@ -69,29 +70,25 @@ impl Drop for Ended {
 }
 
 /// Runs the driver until it is over.
-pub(crate) fn run(mut transport: impl Transport, options: &Options, shared: &Arc<Shared>) {
+pub(crate) fn run(mut transport: impl Transport, mut options: Options, shared: &Arc<Shared>) {
     let ended = Ended(Arc::clone(shared));
     let mut driver = Driver::new(options.body, options.gait, options.client);
+    let guard = options.guard.take().map(Guard::start).transpose();
+    let mut guard = guard.unwrap_or_else(|error| {
+        (options.say)(&format!("the guard cannot be started, so a killed program leaves the robot as it is: {error}"));
+        None
+    });
     let start = Instant::now();
     while !driver.is_over() {
-        let received = transport.receive();
         let now = start.elapsed();
         let (command, is_dropped) = {
             let mut exchange = shared.lock();
             (exchange.command.take(), exchange.is_dropped)
         };
         let is_late = options.limit.is_some_and(|limit| now.as_secs_f64() >= limit);
-        let inputs = Inputs {
-            states: &received.states,
-            fall: received.fall,
-            answers: &received.answers,
-            command: command.as_ref().map(|(command, motion)| (command, *motion)),
-            stop: is_dropped || is_late || (options.stop)(),
-        };
-        let outputs = driver.step(now, &inputs);
-        outputs.command.into_iter().for_each(|command| transport.command(command));
-        outputs.requests.into_iter().for_each(|request| transport.request(request));
-        outputs.notes.iter().for_each(|note| (options.say)(note));
+        let stop = is_dropped || is_late || (options.stop)();
+        let cycle = exchange(&mut transport, &mut driver, now, command.as_ref(), stop, options.say);
+        guard.iter_mut().for_each(|guard| guard.tell(driver.has_robot()));
         let mut exchange = shared.lock();
         exchange.counts = driver.counts();
         exchange.course = match () {
@@ -99,12 +96,40 @@ pub(crate) fn run(mut transport: impl Transport, options: &Options, shared: &Arc
             () if driver.is_ending() => Course::Ends,
             () => Course::Runs,
         };
-        if let Some(sensors) = outputs.cycle {
+        if let Some(sensors) = cycle {
             exchange.cycle = Some((now, sensors));
             shared.news.notify_all();
         }
         drop(exchange);
         thread::sleep(LOOK);
     }
-    drop(ended);
+    let hangs = driver.hangs(start.elapsed());
+    drop((guard, ended));
+    if hangs {
+        (options.abandon)();
+    }
+}
+
+/// Passes what has come to the driver, and what it sends to the robot; returns the sensor values of a new cycle.
+pub(crate) fn exchange(
+    transport: &mut impl Transport,
+    driver: &mut Driver,
+    now: Duration,
+    command: Option<&(Command, Motion)>,
+    stop: bool,
+    say: fn(&str),
+) -> Option<Sensors<'static>> {
+    let received = transport.receive();
+    let inputs = Inputs {
+        states: &received.states,
+        fall: received.fall,
+        answers: &received.answers,
+        command: command.map(|(command, motion)| (command, *motion)),
+        stop,
+    };
+    let outputs = driver.step(now, &inputs);
+    outputs.command.into_iter().for_each(|command| transport.command(command));
+    outputs.requests.into_iter().for_each(|request| transport.request(request));
+    outputs.notes.iter().for_each(|note| say(note));
+    outputs.cycle
 }

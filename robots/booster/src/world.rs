@@ -39,7 +39,7 @@ impl BoosterWorld {
     pub fn open(transport: impl Transport + 'static, options: Options) -> io::Result<Self> {
         let shared = Arc::<Shared>::default();
         let of_thread = Arc::clone(&shared);
-        let work = move || run(transport, &options, &of_thread);
+        let work = move || run(transport, options, &of_thread);
         let thread = Some(thread::Builder::new().name("booster".into()).spawn(work)?);
         let (motion, counts) = (Motion::default(), Counts::default());
         let mut world = Self { shared, thread, now: Duration::ZERO, sensors: Sensors::UNMEASURED, motion, counts };

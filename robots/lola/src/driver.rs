@@ -26,6 +26,9 @@ use crate::sensor_map::SensorMap;
 const LONGEST_END: Duration = Duration::from_secs(11);
 /// Time after which a robot that sends no maps is not waited for at the end.
 const LONGEST_SILENCE: Duration = Duration::from_secs(5);
+/// Time after which it is looked again whether the end was requested, and for which a command is waited for then.
+const LOOK: Duration = Duration::from_millis(50);
+const LONGEST_LAST_REPLY: Duration = Duration::from_secs(1);
 /// Least time between two lines about maps that were not used.
 const BETWEEN_REJECTIONS: Duration = Duration::from_secs(1);
 
@@ -44,8 +47,8 @@ pub(crate) struct Driver {
     map: SensorMap,
     cycles: Sender<Cycle>,
     messages: Receiver<Message>,
-    /// Number of the map that the robot program works on.
-    given: Option<u64>,
+    /// Number of the map that the robot program works on, and since when.
+    given: Option<(u64, Clock)>,
     /// The newest command since the robot stood up.
     newest: Option<Command>,
     images: Option<Images>,
@@ -111,6 +114,9 @@ impl Driver {
             }
         }
         self.publish();
+        if self.standing.reason == Some(Reason::Hangs) {
+            (self.options.abandon)();
+        }
     }
 
     fn publish(&self) {
@@ -220,23 +226,22 @@ impl Driver {
             let image = self.images.as_ref().and_then(|images| images.take(camera, number, is_in_step));
             let taken = image.as_ref().and_then(|image| image.taken);
             let map = taken.map_or(self.map, |taken| self.heads.at(taken, &self.map));
-            self.given = Some(maps);
+            self.given = Some((maps, Clock::now()));
             // Without a program, the next message says so.
             _ = self.cycles.send(Cycle { map, maps, image, halt });
         }
     }
 
-    /// Waits for the command to this map, as long as the robot does.
+    /// Waits for the command to this map, as long as the robot does and the program may take.
     fn listen(&mut self) {
-        while self.given.is_some() {
-            let message = match self.pace.deadline(self.heard) {
-                Some(deadline) => self.messages.recv_timeout(deadline.saturating_duration_since(Clock::now())),
-                None => self.messages.recv().map_err(RecvTimeoutError::from),
-            };
-            match message {
+        while let Some((_, since)) = self.given {
+            let until = self.pace.deadline(self.heard).unwrap_or_else(|| since + self.patience());
+            let left = until.saturating_duration_since(Clock::now());
+            match self.messages.recv_timeout(left.min(LOOK)) {
                 Ok(message) if self.hear(message) => break,
                 Ok(_) => self.give(),
                 Err(RecvTimeoutError::Disconnected) => self.leave(Reason::Dropped),
+                Err(RecvTimeoutError::Timeout) if left > LOOK => {}
                 Err(RecvTimeoutError::Timeout) => {
                     self.standing.late += 1;
                     break;
@@ -245,9 +250,15 @@ impl Driver {
         }
     }
 
+    /// Longest time that the robot program may take for a command: shorter when the run should end.
+    fn patience(&self) -> Duration {
+        let ends = self.standing.reason.is_some() || (self.options.stop)();
+        if ends { self.options.patience.min(LONGEST_LAST_REPLY) } else { self.options.patience }
+    }
+
     /// Takes a message of the robot program, which is free then; returns whether it is the command to this map.
     fn hear(&mut self, message: Message) -> bool {
-        let is_answer = self.given.take() == Some(self.standing.maps);
+        let is_answer = self.given.take().is_some_and(|(number, _)| number == self.standing.maps);
         match message {
             Ok(command) => self.newest = Some(command),
             Err(reason) => self.leave(reason),
@@ -290,7 +301,7 @@ impl Driver {
         self.say(&format!("{reason}; the robot sits down"));
         self.standing.reason = Some(reason);
         self.deadline = Some(Clock::now() + LONGEST_END);
-        let has_program = self.phase == Phase::Follow && !matches!(reason, Reason::Dropped | Reason::Panic);
+        let has_program = self.phase == Phase::Follow && !reason.is_of_program();
         self.phase = if has_program { Phase::Halt(Halt::default()) } else { Phase::Sit(SitDown::default()) };
     }
 
@@ -298,6 +309,9 @@ impl Driver {
     fn check_end(&mut self) {
         while let Ok(message) = self.messages.try_recv() {
             self.hear(message);
+        }
+        if self.given.is_some_and(|(_, since)| since.elapsed() >= self.patience()) {
+            self.leave(Reason::Hangs);
         }
         if self.standing.reason.is_none() && (self.options.stop)() {
             self.end(Reason::Signal);

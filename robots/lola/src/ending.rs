@@ -32,6 +32,16 @@ pub enum Reason {
     Dropped,
     /// The robot program has panicked.
     Panic,
+    /// The robot program has not answered for too long.
+    Hangs,
+}
+
+impl Reason {
+    /// Whether there is no robot program any more that could end its motion.
+    #[cfg(unix)]
+    pub(crate) const fn is_of_program(self) -> bool {
+        matches!(self, Self::Dropped | Self::Panic | Self::Hangs)
+    }
 }
 
 impl fmt::Display for Reason {
@@ -44,6 +54,7 @@ impl fmt::Display for Reason {
             Self::TimeUp => f.write_str("the time of the run is up"),
             Self::Dropped => f.write_str("the program ends"),
             Self::Panic => f.write_str("the robot program has panicked"),
+            Self::Hangs => f.write_str("the robot program hangs: it has not answered a map for too long"),
         }
     }
 }

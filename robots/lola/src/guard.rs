@@ -19,7 +19,7 @@ use crate::buffer::{Found, MapBuffer};
 use crate::connection::{Connection, SEND, is_idle};
 use crate::driver::Driver;
 use crate::limiter::Limiter;
-use crate::options::Options;
+use crate::options::{Options, PATIENCE};
 use crate::posture::is_in_leg;
 use crate::sensor_map::SensorMap;
 
@@ -79,6 +79,8 @@ pub fn guard(socket: PathBuf, say: fn(&str)) -> io::Result<()> {
             guard: None,
             limit: None,
             stop: Box::new(|| false),
+            patience: PATIENCE,
+            abandon: || (),
             say,
             halt: |_, _, _| (),
             standing: Arc::default(),

@@ -17,7 +17,8 @@ impl Identity {
     }
 
     /// The texts, in the order of the sensor map.
-    pub(crate) fn texts(&self) -> [&str; 4] {
+    #[must_use]
+    pub fn texts(&self) -> [&str; 4] {
         self.0.each_ref().map(|text| {
             let end = text.iter().position(|&byte| byte == 0).unwrap_or(LONGEST);
             str::from_utf8(&text[..end]).unwrap_or_default()

@@ -39,7 +39,7 @@ pub use identity::Identity;
 pub use limiter::Limiter;
 pub use mistake::{Mistake, Undecoded};
 #[cfg(unix)]
-pub use options::{Options, Standing};
+pub use options::{Options, PATIENCE, Standing};
 pub use posture::{SITTING_HEIGHT, hip_height};
 pub use sensor_map::{SENSOR_MAP_BYTES, SensorMap};
 #[cfg(unix)]

@@ -4,6 +4,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
 use bica_camera::Origin;
 use bica_motion::robot::{Buttons, Command};
@@ -11,6 +12,9 @@ use bica_motion::robot::{Buttons, Command};
 use crate::CYCLE_MICROS;
 use crate::ending::Reason;
 use crate::identity::Identity;
+
+/// Longest time that a robot program takes for a cycle, a generous one: a computer may be busy, and a simulated robot waits.
+pub const PATIENCE: Duration = Duration::from_secs(30);
 
 /// Where the robot is, and how it is ended.
 pub struct Options {
@@ -25,6 +29,11 @@ pub struct Options {
     pub limit: Option<f64>,
     /// Whether the program was asked to end.
     pub stop: Box<dyn Fn() -> bool + Send>,
+    /// Time without a command of the robot program, by the clock of this computer, after which the program counts as hung: the robot sits
+    /// down. [`PATIENCE`], except in tests.
+    pub patience: Duration,
+    /// Called after a run that ended because its program hangs: nobody else can end this process.
+    pub abandon: fn(),
     /// Says something to people.
     pub say: fn(&str),
     /// Asks the robot program to end its motion before the robot sits down, by buttons: gets the number of the cycle since the request, and

@@ -265,7 +265,19 @@ where
     where
         R: Recordable<Error: fmt::Display>,
     {
-        run::run::<R, L>(&self.worlds, self.robot, args)
+        self.play_showing(args, &mut |_| ())
+    }
+
+    /// Runs the robot as [`play`](Self::play) does, and shows it to a function after each cycle: for a world that takes more of a robot
+    /// than its commands.
+    ///
+    /// # Errors
+    /// If an argument is invalid, or the run cannot continue.
+    pub fn play_showing(&self, args: &RunArgs<L>, show: &mut dyn FnMut(&R)) -> Result<Outcome, Failure>
+    where
+        R: Recordable<Error: fmt::Display>,
+    {
+        run::run::<R, L>(&self.worlds, self.robot, args, show)
     }
 
     /// Runs the code again on a recording as `replay` does, for use by a command of another program.
@@ -287,8 +299,10 @@ where
         let first = worlds.first().map(|world| world.name);
         match (matches.subcommand(), default) {
             (None, Some(default)) => (default.run)(matches),
-            (None, None) => run::run::<R, L>(&worlds, robot, &parse(matches)?),
-            (Some(("run", matches)), _) if !worlds.is_empty() => run::run::<R, L>(&worlds, robot, &parse(matches)?),
+            (None, None) => run::run::<R, L>(&worlds, robot, &parse(matches)?, &mut |_| ()),
+            (Some(("run", matches)), _) if !worlds.is_empty() => {
+                run::run::<R, L>(&worlds, robot, &parse(matches)?, &mut |_| ())
+            }
             #[cfg(feature = "monitor")]
             (Some(("monitor", matches)), _) if !worlds.is_empty() => {
                 crate::monitor::run(crate::monitor::program(worlds, robot, self.panels), &parse(matches)?)

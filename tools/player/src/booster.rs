@@ -1,13 +1,13 @@
 //! `play --world booster`: a real Booster T1 or K1.
 
-use std::process;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::process::{self, Command as Process};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use bica::runner::{Runner, World};
+use bica::runner::World;
 use bica::{Instant, Tree};
-use bica_app::{App, Console, Failure, Outcome, RunArgs, interrupt};
-use bica_booster::{Body, BoosterWorld, Dds, Gait, K1, Motion, Options, T1, address};
+use bica_app::{App, Failure, Outcome, RunArgs, interrupt};
+use bica_booster::{Body, BoosterWorld, Dds, Driver, Gait, K1, Motion, Options, T1, address};
 use bica_camera::{Images, Origin};
 use bica_motion::robot::Command;
 use bica_player::input::RobotProfile;
@@ -18,12 +18,16 @@ use bica_player::motion::{Head, Walk};
 use bica_recording::{Recording, ReplayOptions, ReplayReport};
 use bica_tuning::Layers;
 
-use crate::cli::{GaitArg, Play};
+use crate::cli::{BoosterArgs, GaitArg, Play};
 use crate::colour_profile::ColourProfile;
 use crate::eyes::Eyes;
 
 /// Name of the world in recordings and options.
 const WORLD: &str = "booster";
+/// Command that runs the guard.
+pub(crate) const GUARD: &str = "booster-guard";
+/// Exit code of a program that hangs: that of a panic.
+const HUNG: i32 = 101;
 /// Name of the option that selects the robot in a recording.
 const ROBOT: &str = "robot";
 
@@ -38,7 +42,13 @@ struct Field {
     eyes: Option<Eyes>,
     /// What they see in this cycle.
     view: Option<View>,
+    /// What the forward requests of the firmware's gait.
+    motion: Arc<Mutex<Motion>>,
     standing: Standing,
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl World<Forward> for Field {
@@ -51,10 +61,11 @@ impl World<Forward> for Field {
     }
 
     fn act(&mut self, command: &Command) {
+        self.world.request(*lock(&self.motion));
         self.world.command(command);
         let angles = self.world.sense().angles;
         self.view = self.eyes.as_mut().and_then(|eyes| eyes.look(self.body.model, &angles));
-        *self.standing.lock().unwrap_or_else(PoisonError::into_inner) = self.world.is_in_order();
+        *lock(&self.standing) = self.world.is_in_order();
     }
 
     fn is_over(&self) -> bool {
@@ -75,12 +86,10 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     };
     interrupt::end_in_order();
     let standing = Standing::new(Mutex::new(true));
-    let open = opener(args, body, &standing)?;
-    match args.booster.gait {
-        GaitArg::Own => own(args, body, open)?,
-        GaitArg::Firmware => firmware(args, body, open)?,
-    }
-    let is_in_order = *standing.lock().unwrap_or_else(PoisonError::into_inner);
+    let motion = Arc::<Mutex<Motion>>::default();
+    let open = opener(args, body, &standing, &motion)?;
+    play(args, body, &motion, open)?;
+    let is_in_order = *lock(&standing);
     Ok(if is_in_order { Outcome::Success } else { Outcome::Unsuccessful })
 }
 
@@ -89,33 +98,64 @@ fn opener(
     args: &Play,
     body: &'static Body,
     standing: &Standing,
+    motion: &Arc<Mutex<Motion>>,
 ) -> Result<impl Fn() -> Result<Field, Failure> + Send + Sync + use<>, Failure> {
     let interface = args.booster.dds_interface.as_deref().map(address).transpose();
     let interface = interface.map_err(|error| {
         Failure::new(format!("--dds-interface: {error}"), "give a name that `ip address` lists, or an IPv4 address")
     })?;
-    let gait = if args.booster.gait == GaitArg::Firmware { Gait::Firmware } else { Gait::Own };
+    let (gait, booster) = (args.booster.gait.into(), args.booster.clone());
     let (domain, limit, standing) = (args.booster.dds_domain, args.seconds, Arc::clone(standing));
-    let frames = args.frames.clone();
+    let (frames, motion) = (args.frames.clone(), Arc::clone(motion));
     Ok(move || {
         let transport = Dds::open(domain, interface).map_err(|error| {
             Failure::new(error, "is the network up? `--dds-interface` names the interface to the robot")
         })?;
         say(&format!("waits for a {} in domain {domain}", body.model.name));
         let stop = Box::new(interrupt::requested);
-        let options = Options { body, gait, client: client(), limit, stop, say };
+        let guard = Some(guard_command(body, &booster));
+        let abandon = || process::exit(HUNG);
+        let options = Options { body, gait, client: client(), limit, guard, abandon, stop, say };
         let world = BoosterWorld::open(transport, options);
         let world = world.map_err(|error| Failure::new(error.to_string(), "is there memory left?"))?;
         let images = frames.clone().map(|socket| Images::start(Origin::Socket(socket), say)).transpose();
         let images = images.map_err(|error| Failure::new(error.to_string(), "is there memory left?"))?;
-        Ok(Field { world, body, eyes: images.map(Eyes::new), view: None, standing: Arc::clone(&standing) })
+        let (eyes, motion, standing) = (images.map(Eyes::new), Arc::clone(&motion), Arc::clone(&standing));
+        Ok(Field { world, body, eyes, view: None, motion, standing })
     })
 }
 
-/// Plays with joint commands, with all that the program of a robot offers.
-fn own(
+fn guard_command(body: &Body, args: &BoosterArgs) -> Process {
+    let program = std::env::current_exe().unwrap_or_else(|_| "player".into());
+    let gait = if args.gait == GaitArg::Own { "own" } else { "firmware" };
+    let mut command = Process::new(program);
+    command.args([GUARD, body.model.id, "--gait", gait, "--dds-domain", &args.dds_domain.to_string()]);
+    command.args(args.dds_interface.iter().flat_map(|interface| ["--dds-interface", interface]));
+    command
+}
+
+/// Runs the guard of a program: `player booster-guard ROBOT`. A run starts this command itself.
+pub(crate) fn guard(robot: &str, args: &BoosterArgs) -> Result<Outcome, Failure> {
+    interrupt::end_in_order();
+    let failed = |error| Failure::new(error, "leave the start of a guard to `player play --world booster`");
+    let body = Body::named(robot).ok_or_else(|| failed(format!("there is no robot `{robot}`")))?;
+    let interface = args.dds_interface.as_deref().map(address).transpose().map_err(failed)?;
+    let transport = Dds::open(args.dds_domain, interface).map_err(failed)?;
+    bica_booster::guard(transport, Driver::guarding(body, args.gait.into(), client()), say);
+    Ok(Outcome::Success)
+}
+
+impl From<GaitArg> for Gait {
+    fn from(gait: GaitArg) -> Self {
+        if gait == GaitArg::Firmware { Self::Firmware } else { Self::Own }
+    }
+}
+
+/// Plays with all that the program of a robot offers.
+fn play(
     args: &Play,
     body: &'static Body,
+    motion: &Mutex<Motion>,
     open: impl Fn() -> Result<Field, Failure> + Send + Sync + 'static,
 ) -> Result<(), Failure> {
     let run = RunArgs {
@@ -135,33 +175,11 @@ fn own(
         options.value(ROBOT, body.model.id.to_owned())?;
         open()
     });
-    app.play(&run).map(drop)
-}
-
-/// Plays with the maker's gait: what the forward requests of its legs and its head goes to the firmware.
-fn firmware(args: &Play, body: &'static Body, open: impl Fn() -> Result<Field, Failure>) -> Result<(), Failure> {
-    if args.record.record.is_some() || args.link.is_paced() {
-        let what = "a run with the maker's gait is neither recorded nor served";
-        return Err(Failure::new(what, "leave out --record and --serve, or --gait firmware"));
-    }
-    let layers = args.tuning.of_known_robot().layers(const { &Forward::GRAPH }, WORLD)?;
-    let mut forward = maker(body)();
-    layers.apply(&mut *forward)?;
-    let mut runner = Runner::new(forward, open()?);
-    while !runner.world().is_over() {
-        // The error type is infallible.
-        _ = runner.cycle();
-        let motion = motion(runner.robot());
-        runner.world_mut().world.request(motion);
-    }
-    let mut report = String::new();
-    _ = runner.world().report(&mut report);
-    Console::new(args.json).print(&report)?;
-    Ok(())
+    app.play_showing(&run, &mut |forward| *lock(motion) = requested(forward)).map(drop)
 }
 
 /// What the forward requests of the firmware.
-fn motion(forward: &Forward) -> Motion {
+fn requested(forward: &Forward) -> Motion {
     let velocity = forward.get::<Walk>().requested();
     let head = forward.get::<Head>().target();
     let walks = forward.of::<Walk>().is_active();

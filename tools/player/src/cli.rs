@@ -92,6 +92,14 @@ pub(crate) enum Command {
         #[arg(value_name = "SOCKET")]
         socket: PathBuf,
     },
+    #[cfg(feature = "booster")]
+    #[command(name = crate::booster::GUARD, hide = true)]
+    BoosterGuard {
+        #[arg(value_name = "ROBOT")]
+        robot: String,
+        #[command(flatten)]
+        args: BoosterArgs,
+    },
     /// Detections in recorded images, calibration, trials in MuJoCo: with the feature `evaluation` of Cargo
     #[cfg(not(feature = "evaluation"))]
     #[command(name = "watch", visible_aliases = ["see", "calibrate", "calibrate-camera", "trial"], disable_help_flag = true)]

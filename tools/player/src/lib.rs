@@ -64,6 +64,8 @@ pub fn app() -> App<Forward, ColourProfile> {
             Command::Trial(args) => trial_options::run(&args),
             #[cfg(all(feature = "lola", unix))]
             Command::Guard { socket } => lola::guard(&socket),
+            #[cfg(feature = "booster")]
+            Command::BoosterGuard { robot, args } => booster::guard(&robot, &args),
             #[cfg(not(feature = "evaluation"))]
             Command::Evaluation { .. } => {
                 Err(play::built_without("evaluation", "recorded images, calibration and trials"))

@@ -9,7 +9,7 @@ use bica::Tree;
 use bica_app::{App, Failure, Outcome, RunArgs, WorldOptions, interrupt};
 use bica_field::GoalColour;
 use bica_lola::camera::{Origin, Setting, Settings};
-use bica_lola::{LolaWorld, Options, Standing};
+use bica_lola::{LolaWorld, Options, PATIENCE, Standing};
 use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{Buttons, Command, Light};
 use bica_player::input::RobotProfile;
@@ -28,6 +28,8 @@ const WORLD: &str = "lola";
 const SOCKET: &str = "/tmp/robocup";
 /// Name of the option with the lean of the body.
 pub(crate) const BODY: &str = "body";
+/// Exit code of a program that hangs: that of a panic.
+const HUNG: i32 = 101;
 /// Command that runs the guard.
 pub(crate) const GUARD: &str = "lola-guard";
 
@@ -50,6 +52,8 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
             guard: Some(guard_command),
             limit,
             stop: Box::new(interrupt::requested),
+            patience: PATIENCE,
+            abandon: || process::exit(HUNG),
             say,
             halt: end_motion,
             standing: Arc::clone(&shared),

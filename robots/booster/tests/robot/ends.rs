@@ -1,6 +1,6 @@
 //! The end of a run.
 
-use bica_booster::{Gait, T1};
+use bica_booster::{Driver, Gait, T1};
 
 use crate::stand_in::StandIn;
 
@@ -73,4 +73,53 @@ fn robot_that_was_taken_away_stays_as_it_is() {
     robot.run(2000);
     robot.stop = true;
     assert!(robot.run_to_the_end() < 10 && robot.mode == 2);
+}
+
+/// The robot of a program that was killed, and whose guard has not noticed it yet.
+fn killed(gait: Gait) -> StandIn {
+    let mut robot = StandIn::following(T1, gait);
+    robot.motion.velocity = [0.4, 0.0, 0.0];
+    robot.run(500);
+    robot.driver = Driver::guarding(T1, gait, 43);
+    robot
+}
+
+#[test]
+fn guard_gives_a_standing_robot_to_the_firmware() {
+    let mut robot = killed(Gait::Own);
+    let sent = (robot.commands.len(), robot.requests.len());
+    robot.run(100);
+    assert_eq!((robot.commands.len(), robot.requests.len()), sent, "the guard is silent while the program lives");
+    robot.stop = true;
+    assert!(robot.run_to_the_end() <= 2000 && robot.mode == 1 && !robot.has_gains());
+}
+
+#[test]
+fn guard_lets_a_lying_robot_damp() {
+    let mut robot = killed(Gait::Own);
+    robot.rpy = [0.0, 1.5, 0.0];
+    robot.run(10);
+    robot.stop = true;
+    assert!(robot.run_to_the_end() <= 2000 && robot.mode == 0 && !robot.has_gains());
+}
+
+#[test]
+fn guard_stops_a_robot_that_the_firmware_walks() {
+    let mut robot = killed(Gait::Firmware);
+    robot.run(1000);
+    robot.stop = true;
+    assert!(robot.run_to_the_end() <= 2000 && robot.mode == 1);
+    let last = robot.bodies.iter().rfind(|body| body.contains("vx")).expect("a velocity");
+    assert!(last.contains(r#""vx":0.0"#), "{last}");
+}
+
+#[test]
+fn hanging_program_ends_after_half_a_minute() {
+    let mut robot = StandIn::following(T1, Gait::Own);
+    robot.program = |_, _| None;
+    robot.run(29_900);
+    assert!(robot.has_gains() && !robot.driver.is_ending(), "a slow program goes on");
+    robot.run(200);
+    assert!(robot.driver.is_ending());
+    assert!(robot.run_to_the_end() <= 2500 && robot.mode == 1 && !robot.has_gains());
 }

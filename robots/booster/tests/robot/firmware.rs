@@ -1,6 +1,8 @@
 //! The maker's gait.
 
 use bica_booster::{Gait, K1, Motion, T1};
+use bica_motion::joints::Joint;
+use bica_motion::robot::Command;
 
 use crate::stand_in::StandIn;
 
@@ -13,11 +15,20 @@ fn velocities_go_to_the_walking_firmware() {
     let mut robot = StandIn::following(K1, Gait::Firmware);
     assert_eq!((robot.mode, robot.commands.len()), (2, 0), "joints are not commanded");
     robot.motion = Motion { velocity: [0.5, -2.0, f32::NAN], head: [0.25, 3.0] };
+    robot.program = |sensors, cycle| {
+        let mut command = Command::new(K1.model.stand, 1.0);
+        command.targets[Joint::LKneePitch] += 0.4 * (0.1 * cycle as f32).sin();
+        // The legs of the robot rest, 0.05 rad beside the stand; those that the program sees follow it.
+        let last = K1.model.stand[Joint::LKneePitch] + 0.4 * (0.1 * (cycle as f32 - 1.0)).sin();
+        assert!(cycle < 700 || (sensors.angles[Joint::LKneePitch] - last).abs() < 1e-5);
+        assert!((sensors.angles[Joint::HeadYaw] - 0.05).abs() < 1e-5, "the head is the robot's");
+        Some(command)
+    };
     robot.run(1000);
     let moved = robot.bodies.iter().rfind(|body| body.contains("vx")).expect("a velocity");
     assert!(moved.contains(r#""vx":0.5"#) && moved.contains(r#""vyaw":0.0"#), "{moved}");
     assert!(moved.contains(r#""vy":-0.4"#), "{moved}");
-    assert!(robot.bodies.iter().any(|body| body.contains(r#""pitch":0.25"#)));
+    assert!(robot.bodies.iter().any(|body| body.contains(r#""pitch":0.25,"yaw":1.0"#)));
     let moves = count(&robot, 2001);
     robot.run(10_000);
     assert!((15..=25).contains(&(count(&robot, 2001) - moves)), "an unchanged velocity is repeated twice a second");

@@ -54,6 +54,18 @@ fn early_answer_after_a_late_one_waits() {
 }
 
 #[test]
+fn late_looks_do_not_slow_the_cycles_down() {
+    let mut robot = StandIn::following(T1, Gait::Own);
+    let cycles = robot.cycles;
+    for step in 0..700 {
+        // A thread sleeps longer than it asks for.
+        robot.run(4 + step % 2);
+        robot.millis += 3;
+    }
+    assert!((525 - 8..=525 + 8).contains(&(robot.cycles - cycles)), "{} cycles in 5.25 s", robot.cycles - cycles);
+}
+
+#[test]
 fn late_program_leaves_the_last_targets() {
     let mut robot = StandIn::following(T1, Gait::Own);
     robot.program = |_, _| None;

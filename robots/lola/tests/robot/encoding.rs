@@ -1,10 +1,9 @@
 //! Encoding of the maps.
 
-use std::process::Command;
-
 use bica_lola::{ActuatorMap, Identity, Mistake, SENSOR_MAP_BYTES, SensorMap, Undecoded};
 use bica_motion::joints::Joints;
 use bica_motion::robot::{Light, Lights};
+use bica_test_data::peer::Peer;
 use proptest::prelude::*;
 
 fn array<const N: usize>() -> impl Strategy<Value = [f32; N]> {
@@ -90,26 +89,77 @@ fn each_mistake_is_named() {
     assert_eq!(SensorMap::decode(&map.encode()), Err(Undecoded::Wrong(Mistake::NotFinite { key: "Sonar" })));
 }
 
-/// Python's `msgpack` reads both maps as this crate writes them.
+/// Values as the peer writes them: the bits of each number.
+fn text(values: &mut [(&str, Vec<f32>)]) -> String {
+    values.sort_unstable_by_key(|(key, _)| *key);
+    let elements = |values: &[f32]| values.iter().map(|value| format!("{:08x}", value.to_bits())).collect::<Vec<_>>();
+    values.iter().map(|(key, values)| format!("{key}={}", elements(values).join(","))).collect::<Vec<_>>().join(" ")
+}
+
+/// Our reading and writing of the sensor map of a peer.
+fn sensors_again(bytes: &[u8]) -> (Vec<u8>, String) {
+    let (map, size) = SensorMap::decode(bytes).expect("a map");
+    assert_eq!(size, bytes.len());
+    let floats = text(&mut [
+        ("Accelerometer", map.accelerometer.to_vec()),
+        ("Angles", map.angles.to_vec()),
+        ("Battery", map.battery.to_vec()),
+        ("Current", map.current.to_vec()),
+        ("FSR", map.fsr.to_vec()),
+        ("Gyroscope", map.gyroscope.to_vec()),
+        ("Position", map.position.to_vec()),
+        ("Sonar", map.sonar.to_vec()),
+        ("Stiffness", map.stiffness.to_vec()),
+        ("Temperature", map.temperature.to_vec()),
+        ("Touch", map.touch.to_vec()),
+    ]);
+    let status = map.status.map(|status| status.to_string()).join(",");
+    let others = format!(" RobotConfig={} Sonar=", map.identity.texts().join(","));
+    // The order of the keys' names.
+    let floats = floats.replace(" Sonar=", &others).replace(" Stiffness=", &format!(" Status={status} Stiffness="));
+    (map.encode(), floats)
+}
+
+/// Our writing of what a peer's actuator map contains, of which the driver writes one colour for each eye.
+fn actuators_again(bytes: &[u8], values: &str) -> (Vec<u8>, String) {
+    let (position, stiffness, size) = ActuatorMap::decode(bytes).expect("a map");
+    let (position, stiffness) = position.zip(stiffness).expect("both");
+    assert_eq!(size, bytes.len());
+    let given = |key: &str| {
+        let found = values.split(' ').find_map(|part| part.strip_prefix(key)?.strip_prefix('='));
+        let bits = |element| f32::from_bits(u32::from_str_radix(element, 16).expect("bits"));
+        found.expect("the key").split(',').map(bits).collect::<Vec<_>>()
+    };
+    let bits = |values: &[f32]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(&position.0), bits(&given("Position")));
+    assert_eq!(bits(&stiffness.0), bits(&given("Stiffness")));
+    let [chest, left_eye, right_eye] = [("Chest", 1), ("LEye", 8), ("REye", 8)].map(|(key, lights)| {
+        let values = given(key);
+        Light(values[0], values[lights], values[2 * lights])
+    });
+    let colours = |Light(red, green, blue): Light, lights| {
+        [[red; 8], [green; 8], [blue; 8]].map(|it| it[..lights].to_vec()).concat()
+    };
+    let written = text(&mut [
+        ("Position", position.0.to_vec()),
+        ("Stiffness", stiffness.0.to_vec()),
+        ("Chest", colours(chest, 1)),
+        ("LEye", colours(left_eye, 8)),
+        ("REye", colours(right_eye, 8)),
+    ]);
+    (ActuatorMap { position, stiffness, lights: Lights { chest, left_eye, right_eye } }.encode(), written)
+}
+
+/// Maps of Python's `msgpack` are read, and it reads those of this crate.
 #[test]
-fn encoding_equals_that_of_python() {
-    let program = "import sys, msgpack\n\
-                   data = sys.stdin.buffer.read()\n\
-                   assert msgpack.packb(msgpack.unpackb(data), use_single_float=True) == data";
-    let has_module = Command::new("python3").args(["-c", "import msgpack"]).output();
-    if !has_module.is_ok_and(|output| output.status.success()) {
-        eprintln!("skipped: python3 with msgpack is not installed");
-        return;
-    }
-    let lights = Lights { chest: Light(0.0, 1.0, 0.0), ..Lights::default() };
-    let actuators = ActuatorMap { position: Joints::all(0.1), stiffness: Joints::all(0.8), lights };
-    for bytes in [SensorMap { position: [0.3; 25], ..SensorMap::default() }.encode(), actuators.encode()] {
-        let mut python = Command::new("python3")
-            .args(["-c", program])
-            .stdin(std::process::Stdio::piped())
-            .spawn()
-            .expect("it was there");
-        std::io::Write::write_all(&mut python.stdin.take().expect("a pipe"), &bytes).expect("it reads");
-        assert!(python.wait().expect("it ends").success());
-    }
+fn peer_msgpack_agrees_in_every_field() {
+    let Some(peer) = Peer::find("msgpack", concat!(env!("CARGO_MANIFEST_DIR"), "/maps.py")) else { return };
+    peer.compare(|kind, bytes, values| {
+        if kind == "actuators" {
+            return actuators_again(bytes, values);
+        }
+        let (encoded, ours) = sensors_again(bytes);
+        assert_eq!(ours, values);
+        (encoded, ours)
+    });
 }

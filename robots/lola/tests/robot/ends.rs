@@ -1,5 +1,9 @@
 //! Ends of a run.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
 use bica_lola::{LolaWorld, Reason, SITTING_HEIGHT, hip_height};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::NAO;
@@ -69,6 +73,44 @@ fn panic_of_the_program_lets_the_robot_sit_down() {
     let mut robot = StandIn::start(panics);
     robot.cycles(220);
     assert_eq!(sits(&mut robot, 400), Reason::Panic);
+}
+
+/// A program that stands for 30 cycles, and hangs then.
+fn hangs(cycle: u32, _world: &mut LolaWorld) -> Command {
+    if cycle == 30 {
+        // Longer than the driver waits in these tests; the test waits for this thread at its end.
+        thread::sleep(Duration::from_millis(1500));
+    }
+    Command::new(NAO.stand, 0.8)
+}
+
+#[test]
+fn hanging_program_lets_the_robot_sit_down() {
+    static IS_ABANDONED: AtomicBool = AtomicBool::new(false);
+    let mut robot = StandIn::start_with(hangs, |options| {
+        options.patience = Duration::from_millis(300);
+        options.abandon = || IS_ABANDONED.store(true, Ordering::Relaxed);
+    });
+    robot.cycles(220);
+    assert_eq!(sits(&mut robot, 400), Reason::Hangs);
+    assert!(IS_ABANDONED.load(Ordering::Relaxed), "nobody ends the process");
+}
+
+#[test]
+fn hanging_program_is_noticed_in_real_time() {
+    let mut robot = StandIn::start_with(hangs, |options| options.patience = Duration::from_millis(300));
+    robot.cycles_in_real_time(60);
+    robot.cycles(RISE - 60 + 50);
+    assert!(robot.late() > 0);
+    assert_eq!(sits(&mut robot, 400), Reason::Hangs);
+}
+
+#[test]
+fn signal_does_not_wait_for_a_hanging_program() {
+    let mut robot = StandIn::start(hangs);
+    robot.cycles(220);
+    robot.stop();
+    assert!(matches!(sits(&mut robot, 400), Reason::Hangs | Reason::Signal));
 }
 
 #[test]

@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use bica_lola::{ActuatorMap, LolaWorld, Options, SensorMap, Standing, Undecoded};
+use bica_lola::{ActuatorMap, LolaWorld, Options, PATIENCE, SensorMap, Standing, Undecoded};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::NAO;
 use bica_motion::robot::{CameraId, Command};
@@ -66,6 +66,8 @@ impl StandIn {
             guard: None,
             limit: None,
             stop: Box::new(|| stop.load(Ordering::Relaxed)),
+            patience: PATIENCE,
+            abandon: || (),
             say: |_| (),
             halt: |_, _, _| (),
             standing: Arc::clone(&standing),

@@ -62,7 +62,7 @@ pub(super) enum LinkAction {
         #[arg(value_name = "NAME")]
         action: Option<String>,
         /// Its arguments, in order
-        #[arg(value_name = "VALUE", allow_hyphen_values = true)]
+        #[arg(value_name = "VALUE", allow_negative_numbers = true)]
         arguments: Vec<String>,
     },
     /// Set parameters, all or none; they stay
@@ -101,14 +101,20 @@ pub(super) enum LinkAction {
     },
     /// Stop the robot at once, whoever operates it
     Stop,
-    /// Call a modulation of a component
+    /// Call a modulation of a component; with --hold or --seconds, keep the lease after it until Ctrl-C
     Modulate {
         /// Modulation
         #[arg(value_name = "COMPONENT.NAME")]
         modulation: String,
         /// Its arguments, in order
-        #[arg(value_name = "VALUE", allow_hyphen_values = true)]
+        #[arg(value_name = "VALUE", allow_negative_numbers = true)]
         arguments: Vec<String>,
+        /// Hold a component before the call; may be given several times
+        #[arg(long = "hold", value_name = "COMPONENT=HOLD", value_parser = held)]
+        holds: Vec<(String, Hold)>,
+        /// End after this time, s
+        #[arg(long, value_name = "S", value_parser = seconds)]
+        seconds: Option<f64>,
     },
     /// Print the robot's log: requests of operators and events of the game, until Ctrl-C
     Log {
@@ -142,6 +148,18 @@ fn hold() -> impl TypedValueParser<Value = Hold> {
         "latent" => Hold::Latent,
         _ => Hold::Tree,
     })
+}
+
+/// Parses a component and the mode in which it is held.
+fn held(text: &str) -> Result<(String, Hold), String> {
+    let (component, hold) = text.split_once('=').unwrap_or((text, ""));
+    let hold = match hold {
+        "active" => Hold::Active,
+        "latent" => Hold::Latent,
+        "tree" => Hold::Tree,
+        _ => return Err("write it as COMPONENT=active, COMPONENT=latent or COMPONENT=tree".to_owned()),
+    };
+    Ok((component.to_owned(), hold))
 }
 
 pub(crate) fn address(text: &str) -> Result<Address, String> {

@@ -52,17 +52,25 @@ pub(crate) fn run(args: &Link) -> Result<Outcome, Failure> {
         }
         LinkAction::Set { settings } => monitor.set(settings),
         LinkAction::Hold { component, hold, seconds } => {
-            monitor.keep(&NamedRequest::Hold { component: component.clone(), hold: *hold }, *seconds)
+            monitor.keep(&[NamedRequest::Hold { component: component.clone(), hold: *hold }], *seconds)
         }
         LinkAction::Rate { component, hz, seconds } => {
-            monitor.keep(&NamedRequest::Rate { component: component.clone(), hz: Some(*hz) }, *seconds)
+            monitor.keep(&[NamedRequest::Rate { component: component.clone(), hz: Some(*hz) }], *seconds)
         }
         LinkAction::Go { component, state } => {
             let (component, state) = (component.clone(), state.clone());
             monitor.call(&NamedRequest::Go { component, state }, "done")
         }
         LinkAction::Stop => monitor.stop(),
-        LinkAction::Modulate { modulation, arguments } => monitor.modulate(modulation, arguments),
+        LinkAction::Modulate { modulation, arguments, holds, seconds } => {
+            let call = modulate(modulation, arguments)?;
+            if holds.is_empty() && seconds.is_none() {
+                return monitor.call(&call, "called");
+            }
+            let held =
+                |(component, hold): &(String, _)| NamedRequest::Hold { component: component.clone(), hold: *hold };
+            monitor.keep(&holds.iter().map(held).chain([call]).collect::<Vec<_>>(), *seconds)
+        }
         LinkAction::Log { count } => monitor.log(*count),
     }
 }
@@ -259,15 +267,17 @@ impl Monitor {
         })
     }
 
-    /// Requests a change that lasts as long as the lease, and keeps the lease.
-    fn keep(&mut self, request: &NamedRequest, seconds: Option<f64>) -> Result<Outcome, Failure> {
-        let request = self.find(request)?;
+    /// Requests changes that last as long as the lease, and keeps the lease.
+    fn keep(&mut self, requests: &[NamedRequest], seconds: Option<f64>) -> Result<Outcome, Failure> {
+        let requests = requests.iter().map(|request| self.find(request)).collect::<Result<Vec<_>, _>>()?;
         let until = seconds.map(|seconds| Instant::now() + Duration::from_secs_f64(seconds));
         self.operate(|monitor| {
-            let answer = monitor.request(&request)?;
-            monitor.console.print_row(&format!("cycle {}", answer.cycle), "in force until this command ends")?;
-            let values: Vec<_> = answer.values.iter().map(|&value| Plain::from(value)).collect();
-            monitor.line("bica/link-done/1", json!({ "cycle": answer.cycle, "values": values }))?;
+            for request in &requests {
+                let answer = monitor.request(request)?;
+                monitor.console.print_row(&format!("cycle {}", answer.cycle), "in force until this command ends")?;
+                let values: Vec<_> = answer.values.iter().map(|&value| Plain::from(value)).collect();
+                monitor.line("bica/link-done/1", json!({ "cycle": answer.cycle, "values": values }))?;
+            }
             while until.is_none_or(|until| Instant::now() < until) {
                 if interrupt::requested() {
                     return Ok(if seconds.is_some() { Outcome::Interrupted } else { Outcome::Success });
@@ -279,18 +289,6 @@ impl Monitor {
             }
             Ok(Outcome::Success)
         })
-    }
-
-    fn modulate(&mut self, path: &str, arguments: &[String]) -> Result<Outcome, Failure> {
-        let Some((component, modulation)) = path.split_once('.') else {
-            return Err(Failure::new(
-                format!("`{path}` is not the name of a modulation"),
-                "write it as `Component.name`",
-            ));
-        };
-        let (component, modulation) = (component.to_owned(), modulation.to_owned());
-        let arguments = plain(arguments);
-        self.call(&NamedRequest::Modulate { component, modulation, arguments }, "called")
     }
 
     /// Stops the robot; needs no lease.
@@ -380,6 +378,16 @@ fn describe_call(console: Console, call: &Modulation) -> Result<(), Failure> {
     let stops = if call.stops { ", stops the robot" } else { "" };
     let text = format!("{}({}){stops}", call.name, arguments.join(", "));
     console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&call.doc))))
+}
+
+/// The call of a modulation, given by its path.
+fn modulate(path: &str, arguments: &[String]) -> Result<NamedRequest, Failure> {
+    let Some((component, modulation)) = path.split_once('.') else {
+        let what = format!("`{path}` is not the name of a modulation");
+        return Err(Failure::new(what, "write it as `Component.name`"));
+    };
+    let (component, modulation) = (component.to_owned(), modulation.to_owned());
+    Ok(NamedRequest::Modulate { component, modulation, arguments: plain(arguments) })
 }
 
 /// Converts the values of the command line.

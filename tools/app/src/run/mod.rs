@@ -31,11 +31,12 @@ pub(crate) const EXIT_CODES: &str = "\
 Exit codes: 0 the command is done, 1 the run ended before its aim, 2 wrong arguments or files, 130 stopped by Ctrl-C,
 141 the reader of the output is gone. Without a terminal, or if NO_COLOR is set, the output has no colours.";
 
-/// Runs the robot in one of the worlds as the command line requests.
+/// Runs the robot in one of the worlds as the command line requests, and shows it to a function after each cycle.
 pub(crate) fn run<R, L>(
     worlds: &[RegisteredWorld<R>],
     Robots { make, is_done }: Robots<R>,
     args: &RunArgs<L>,
+    show: &mut dyn FnMut(&R),
 ) -> Result<Outcome, Failure>
 where
     R: Recordable<Error: fmt::Display> + 'static,
@@ -77,6 +78,7 @@ where
             break end;
         }
         if running.step()? {
+            show(running.runner.robot());
             running.print(console)?;
             if let Some(reason) = file.as_ref().and_then(RecordedFile::newly_ended) {
                 eprintln!("warning: the recording ended, the run goes on: {reason}");

@@ -35,6 +35,7 @@ fn operator_watches_tunes_and_drives_a_paused_robot() {
         (&["hold", "Exploror", "latent"], "did you mean `Explorer`?"),
         (&["watch", "Odometry.pos"], "did you mean `pose`?"),
         (&["modulate", "Drive.request", "1"], "takes 2 arguments, found 1"),
+        (&["modulate", "Drive.request", "1", "0", "--hold", "Explorer=off"], "COMPONENT=latent"),
     ] {
         refused(&[&["link", &served.address][..], args].concat(), &[error]);
     }
@@ -46,6 +47,10 @@ fn operator_watches_tunes_and_drives_a_paused_robot() {
     assert_eq!(gone["components"][0]["state"], "arrive");
     link(&served, &["hold", "Explorer", "latent", "--seconds", "0.01"]);
     link(&served, &["modulate", "Drive.request", "0.2", "1.0"]);
+    // Options may stand behind values, of which some are negative.
+    let drive =
+        ["modulate", "Drive.request", "0.2", "-1.0", "--take", "--hold", "Explorer=latent", "--seconds", "0.01"];
+    assert_eq!(link(&served, &drive).len(), 2, "a hold and a call");
     link(&served, &["step", "50"]);
     let watched = link(&served, &["watch", "Odometry.pose", "--count", "1"]);
     let snapshot = watched.iter().find(|line| line["schema"] == "bica/link-snapshot/1").expect("a snapshot");
