@@ -30,7 +30,7 @@ NET = 4.3
 class Trial:
     def __init__(self, robot, name, player, numbers, only):
         self.robot, self.name, self.player, self.numbers, self.only = robot, name, player, numbers, only
-        self.results, self.falls = {}, 0
+        self.results, self.falls, self.is_down, self.height = {}, 0, False, 0.0
 
     def drive(self, seconds, held, *call):
         """Drives the robot by one call of a modulation, and waits."""
@@ -44,6 +44,7 @@ class Trial:
     def wait(self, seconds):
         end = self.robot.now + seconds
         while self.robot.now < end:
+            self.is_down |= self.robot.dynamics.pose()[2] < 0.6 * self.height
             yield
 
     def walk(self, velocity, expected):
@@ -89,9 +90,9 @@ class Trial:
 
     def note(self, what, result, expected):
         self.results[what] = (result, expected)
-        if "getting" not in what and self.robot.dynamics.pose()[2] < 0.8 * self.height:
-            self.falls += 1
-        print(f"{self.robot.now:.1f} s: {what}: {result:.2f}", flush=True)
+        self.falls += self.is_down and "getting" not in what
+        print(f"{self.robot.now:.1f} s: {what}: {result:.2f}{', falls' * self.is_down}", flush=True)
+        self.is_down = False
 
     def steps(self):
         while self.robot.entered is None:

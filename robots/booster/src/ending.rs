@@ -38,6 +38,10 @@ impl Driver {
                 self.say("the program ends: the robot stops, and the firmware holds it");
                 self.ends_with(Ending::Halt(None));
             }
+            Phase::Guarding => {
+                self.say("the program was killed: its guard gives the robot to the firmware");
+                self.ends_with(Ending::Release);
+            }
             _ => self.ends_with(Ending::Release),
         }
     }

@@ -61,7 +61,6 @@ fn mistakes_about_a_booster_are_refused() {
         (&["--world", "booster", "--robot", "t1", "--dds-domain", "233"], &["233", "0..=232"]),
         (&["--world", "booster", "--robot", "t1", "--dds-interface", "nowhere0"], &["nowhere0", "ip address"]),
         (&["--world", "booster", "--robot", "t1", "--games", "2"], &["--games"]),
-        (&["--world", "booster", "--robot", "t1", "--gait", "firmware", "--record", "a.mcap"], &["--record", "--gait"]),
         (&["--gait", "firmware"], &["--world booster"]),
     ] {
         refused(&[&["play"], args].concat(), words);
