@@ -88,7 +88,9 @@ pub(crate) fn run(mut transport: impl Transport, mut options: Options, shared: &
         let is_late = options.limit.is_some_and(|limit| now.as_secs_f64() >= limit);
         let stop = is_dropped || is_late || (options.stop)();
         let cycle = exchange(&mut transport, &mut driver, now, command.as_ref(), stop, options.say);
-        guard.iter_mut().for_each(|guard| guard.tell(driver.has_robot()));
+        if let Some(guard) = &mut guard {
+            guard.tell(driver.has_robot());
+        }
         let mut exchange = shared.lock();
         exchange.counts = driver.counts();
         exchange.course = match () {
