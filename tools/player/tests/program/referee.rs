@@ -312,13 +312,12 @@ fn penalized_player_is_carried_to_its_side_line() {
     game.wait().expect("it ends");
 }
 
-#[test]
-fn match_recordings_replay_bit_for_bit() {
-    let folder = Folder::new("match-recordings");
+fn a_recorded_match_replays(world: &str) {
+    let folder = Folder::new(&format!("match-recordings-{world}"));
     let games = folder.file("games");
     let mut controller = Controller { message_budget: 1200, ..Controller::new() };
     let (port, answers) = (controller.to.port().to_string(), controller.return_port());
-    let play = ["play", "--world", "team", "--teams", "5,23", "--players", "1", "--size", "160x120", "--seconds", "6"];
+    let play = ["play", "--world", world, "--teams", "5,23", "--players", "1", "--size", "160x120", "--seconds", "6"];
     let ports = ["--control-port", &port, "--return-port", &answers, "--broadcast", "127.255.255.255", "--match"];
     let mut game = player(&[&play[..], &ports, &["--record", &games]].concat());
     let mut game = game.stdout(Stdio::piped()).spawn().expect("the program");
@@ -338,6 +337,17 @@ fn match_recordings_replay_bit_for_bit() {
     let again = [&play[..], &["--record", &games]].concat();
     refused(&again, &["5-1.mcap", "--force"]);
     refused(&[&again[..], &["--images", "none"]].concat(), &["--images"]);
+}
+
+#[test]
+fn match_recordings_replay_bit_for_bit() {
+    a_recorded_match_replays("team");
+}
+
+#[cfg(feature = "mujoco")]
+#[test]
+fn match_recordings_of_mujoco_replay_bit_for_bit() {
+    a_recorded_match_replays("mujoco");
 }
 
 #[test]
