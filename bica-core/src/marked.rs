@@ -8,7 +8,8 @@ use crate::output::{OutputSink, OutputType};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be the type of an output",
     label = "its values cannot be taken out",
-    note = "write `#[data]` before the struct or enum, and before each one of your own that it holds"
+    note = "write `#[data]` before the struct or enum, and before each one of your own that it holds",
+    note = "copy values of another crate into a struct of your own; an array of more than 32 elements is a field of one"
 )]
 pub trait Marked {}
 

@@ -22,8 +22,8 @@ pub fn check(component: &Component, report: &mut Report) -> Option<Behaviour> {
         return None;
     }
     let machine = resolve::machine(component, report)?;
-    reachable(&machine, report);
-    ends(component, &machine, report);
+    let all_reached = reachable(&machine, report);
+    ends(component, &machine, all_reached, report);
     hooks_before(component, &machine, report);
     carried::check(component, &machine, report);
     results::check(component, &machine, report);
@@ -43,7 +43,8 @@ fn no_machine(component: &Component, report: &mut Report) {
     }
 }
 
-fn reachable(machine: &Machine, report: &mut Report) {
+/// Reports the states that no transition reaches; whether there is none.
+fn reachable(machine: &Machine, report: &mut Report) -> bool {
     let mut reached = vec![false; machine.states.len()];
     let mut open = vec![machine.initial];
     while let Some(state) = open.pop() {
@@ -51,19 +52,19 @@ fn reachable(machine: &Machine, report: &mut Report) {
             open.extend(machine.edges_from(state).map(|edge| edge.to));
         }
     }
-    for (state, reached) in machine.states.iter().zip(reached) {
-        if !reached {
-            let name = &state.body.name;
-            report.add_code(name, Code::Unreachable { state: text::name(name) });
-        }
+    for (state, _) in machine.states.iter().zip(&reached).filter(|(_, reached)| !**reached) {
+        let name = &state.body.name;
+        report.add_code(name, Code::Unreachable { state: text::name(name) });
     }
+    !reached.contains(&false)
 }
 
-fn ends(component: &Component, machine: &Machine, report: &mut Report) {
+/// Reports states marked as ends that are left, and dead ends once all states are reached: one missing transition makes both.
+fn ends(component: &Component, machine: &Machine, all_reached: bool, report: &mut Report) {
     for (index, state) in machine.states.iter().enumerate() {
         let name = || text::name(&state.body.name);
         match machine.edges_from(index).find(|edge| edge.from != edge.to) {
-            None if !state.last => report.add_code(&state.body.name, Code::DeadEnd { state: name() }),
+            None if !state.last && all_reached => report.add_code(&state.body.name, Code::DeadEnd { state: name() }),
             Some(edge) if state.last => {
                 let transition = component.transitions.iter().find(|one| one.function.name == edge.condition.name);
                 let word = state.end.map_or("last", End::word);

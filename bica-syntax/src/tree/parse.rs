@@ -41,7 +41,13 @@ fn head(input: ParseStream, report: &mut Report) -> syn::Result<Draft> {
     attributes.retain(|attribute| is_possible(attribute, report));
     let visibility: Visibility = input.parse()?;
     let form = |error: syn::Error| syn::Error::new(error.span(), wording::TREE_FORM);
-    input.parse::<Token![struct]>().map_err(form)?;
+    if input.peek(Token![enum]) || input.peek2(token::Brace) {
+        // The name is there, so uses of the tree are no further mistakes.
+        report.push(input.error(wording::TREE_FORM));
+        input.parse::<Option<Token![enum]>>()?;
+    } else {
+        input.parse::<Token![struct]>().map_err(form)?;
+    }
     let mut name: Ident = input.parse().map_err(form)?;
     if let Some(word) = input.parse::<Option<Token![as]>>()? {
         name = input.parse()?;

@@ -91,6 +91,8 @@ impl fmt::Display for Plain {
         match self {
             Self::Bool(is_on) => is_on.fmt(f),
             Self::Integer(number) => number.fmt(f),
+            // 1e300 has 301 digits otherwise.
+            Self::Number(number) if number.abs() >= 1e16 => write!(f, "{number:e}"),
             Self::Number(number) => number.fmt(f),
             Self::Name(name) => f.write_str(name),
         }

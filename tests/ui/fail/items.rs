@@ -66,7 +66,31 @@ activation_tree! {
     struct Followers { root: Follower, cycle_hz: 100, tunable, components: [Follower] }
 }
 
+/// Parameters of other types.
+#[derive(Params)]
+pub struct Others {
+    /// Name.
+    #[param(default = "x")]
+    name: String,
+    /// Pause.
+    #[param(default = 1, range = 0..=5)]
+    pause: Duration,
+}
+
+struct Taker;
+#[component]
+impl Taker {
+    const fn new() -> Self { Self }
+
+    fn step(&mut self, others: &Tuned<Others>) {}
+}
+
+activation_tree! {
+    enum Robot { root: Taker, cycle_hz: 100, tunable, components: [Taker] }
+}
+
 fn main() {
+    Robot::new().tick(Instant::from_ticks(0));
     Steppers::new().tick(Instant::from_ticks(0));
     Forward::new().tick(Instant::from_ticks(0));
     WithoutRoot::new().tick(Instant::from_ticks(0));

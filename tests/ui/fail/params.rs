@@ -47,6 +47,14 @@ pub struct Kicking {
     foot: Foot,
 }
 
+/// How to turn.
+#[derive(Params)]
+pub struct Turning {
+    /// The foot.
+    #[param(default = Foot::Lefft)]
+    foot: Foot,
+}
+
 /// How to follow.
 #[derive(Params)]
 #[params(check = Self::is_ordered)]
@@ -80,5 +88,5 @@ impl Head {
 }
 
 fn main() {
-    let _ = (Tuned::<Gains>::DEFAULT, Tuned::<Kicking>::DEFAULT, Tuned::<Following>::DEFAULT);
+    let _ = (Tuned::<Gains>::DEFAULT, Tuned::<Kicking>::DEFAULT, Tuned::<Turning>::DEFAULT, Tuned::<Following>::DEFAULT);
 }

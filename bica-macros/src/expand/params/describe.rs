@@ -54,10 +54,11 @@ fn value(p: &TokenStream, field: &Field, default: Option<&TokenStream>) -> Token
             quote!(#p::Value::#variant(#default))
         }
         (Kind::Bool, Some(default), _) => quote!(#p::Value::Bool(#default)),
-        (Kind::Choice, Some(_), Some(written)) => {
+        (Kind::Choice, Some(default), Some(written)) => {
             let (name, variants, p) =
                 (variant(written).unwrap_or_default(), variants(p, field), placed(p, at(written)));
-            quote_spanned!(at(written) => #p::Value::Choice(#p::variant(#variants, #name)))
+            // A default that is no expression of the type is one mistake: then this constant has no value.
+            quote_spanned!(at(written) => { let _ = &#default; #p::Value::Choice(#p::variant(#variants, #name)) })
         }
         _ => quote!(#p::natural_default(&kind)),
     }

@@ -157,6 +157,9 @@ pub(crate) fn stub(params: &Params, report: &Report) -> TokenStream {
 fn any_values(params: &Params) -> Option<TokenStream> {
     let values = params.written.iter().map(|(name, kind, default)| {
         let value = match (text::written(kind).as_str(), default) {
+            ("Duration" | "Instant", _) => quote!(<#kind>::from_millis(0)),
+            ("String", _) => quote!(<#kind>::new()),
+            ("&str" | "&'static str", _) => quote!(""),
             ("f32" | "f64", _) => quote!(0.0),
             ("bool", _) => quote!(false),
             ("i8" | "i16" | "i32" | "i64" | "isize" | "u8" | "u16" | "u32" | "u64" | "usize", _) => quote!(0),
