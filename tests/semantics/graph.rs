@@ -49,6 +49,8 @@ pub(crate) struct Data {
 pub(crate) struct Model {
     pub(super) graph: Graph,
     hooks: &'static [Hook],
+    /// Outcomes that functions of transitions take: component, function and child.
+    outcomes: &'static [[&'static str; 3]],
     pub(crate) memories: Vec<Memory>,
     pub(crate) components: Vec<Data>,
     pub(super) activators_first: Vec<usize>,
@@ -65,10 +67,11 @@ pub(crate) struct Model {
 pub(crate) type Comparison = Result<(), String>;
 
 impl Model {
-    pub(crate) fn new(graph: Graph, hooks: &'static [Hook]) -> Self {
+    pub(crate) fn new(graph: Graph, hooks: &'static [Hook], outcomes: &'static [[&'static str; 3]]) -> Self {
         Self {
             graph,
             hooks,
+            outcomes,
             memories: vec![Memory::default(); graph.nodes.len()],
             components: graph.nodes.iter().map(|node| Data { hz: node.hz, ..Data::default() }).collect(),
             activators_first: activators_first(&graph),
@@ -143,19 +146,24 @@ impl Model {
         };
     }
 
-    /// Compares the evaluation of a transition, and returns its result.
+    /// The children whose outcomes the function of a transition takes.
+    pub(super) fn outcomes(&self, index: usize, function: &'static str) -> impl Iterator<Item = usize> + use<'_> {
+        let own = self.outcomes.iter().filter(move |one| one[..2] == [self.graph.nodes[index].name, function]);
+        own.map(|one| self.named(one[2]))
+    }
+
+    /// Compares the outcomes that the function of a transition takes, and its evaluation; returns its result.
     fn evaluate(&mut self, index: usize, name: &'static str) -> Result<bool, String> {
-        loop {
-            match self.next()? {
-                Event::Ended { of, end } => self.ended(self.named(of), end)?,
-                Event::Evaluated { by, transition, reads }
-                    if by == self.graph.nodes[index].name && transition == name =>
-                {
-                    self.read(&reads)?;
-                    return Ok(self.components[index].flags & bit(name) != 0);
-                }
-                other => return Err(format!("{other:?} instead of the evaluation of {name}")),
+        for child in self.outcomes(index, name).collect::<Vec<_>>() {
+            let ended = [End::Done, End::Failed].into_iter().find(|end| self.has_ended(child, *end));
+            self.expect(&Event::Ended { of: self.graph.nodes[child].name, end: ended })?;
+        }
+        match self.next()? {
+            Event::Evaluated { by, transition, reads } if by == self.graph.nodes[index].name && transition == name => {
+                self.read(&reads)?;
+                Ok(self.components[index].flags & bit(name) != 0)
             }
+            other => Err(format!("{other:?} instead of the evaluation of {name}")),
         }
     }
 
@@ -212,12 +220,6 @@ impl Model {
         let memory = &mut self.components[index];
         memory.entered = memory.entered.min(self.now);
         self.now - memory.entered
-    }
-
-    /// Checks the result of a child.
-    fn ended(&self, index: usize, end: Option<End>) -> Comparison {
-        let expected = [End::Done, End::Failed].into_iter().find(|end| self.has_ended(index, *end));
-        if end == expected { Ok(()) } else { Err(format!("the result is {end:?} instead of {expected:?}")) }
     }
 
     /// Checks the age of a component that was ever active.

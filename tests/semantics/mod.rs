@@ -96,5 +96,5 @@ on_trees!(
 on_trees!(
     /// Steps, states, conditions, hooks and jobs that panic.
     panics,
-    Stress { flags: 8, rates: 1, holds: 3, panics: 20, ..Stress::default() }
+    Stress { flags: 8, rates: 1, holds: 3, ways: 2, panics: 20, ..Stress::default() }
 );

@@ -15,7 +15,7 @@ use super::test_tree::TestTree;
 pub(crate) fn play<T: TestTree>(script: &Script) -> Result<(), TestCaseError> {
     take_events();
     let mut tree = T::default();
-    let mut model = Model::new(T::GRAPH, T::HOOKS);
+    let mut model = Model::new(T::GRAPH, T::HOOKS, T::OUTCOMES);
     let mut now = 1_000_000;
     for (number, tick) in script.iter().enumerate() {
         for (index, action) in &tick.actions {

@@ -126,8 +126,10 @@ impl Model {
     fn ask(&mut self, index: usize) {
         let Some(state) = self.memories[index].state else { return };
         for transition in self.graph.nodes[index].transitions.iter().filter(|one| one.from == state) {
-            if let Some(when) = transition.when {
-                let child = &mut self.memories[usize::from(when.child)];
+            let waits_for = transition.when.map(|when| usize::from(when.child));
+            let children: Vec<_> = waits_for.into_iter().chain(self.outcomes(index, transition.name)).collect();
+            for child in children {
+                let child = &mut self.memories[child];
                 child.anew |= child.state.is_some();
             }
         }

@@ -18,12 +18,20 @@ pub(crate) trait TestTree: Tree + Default {
     /// All hooks, in source order.
     const HOOKS: &'static [Hook];
 
+    /// Outcomes that functions of transitions take: component, function and child.
+    const OUTCOMES: &'static [[&'static str; 3]];
+
     fn unit(&mut self, index: usize) -> &mut Unit;
 }
 
-/// Implements [`TestTree`] for a tree: its components in the order of its list, and its hooks.
+/// Implements [`TestTree`] for a tree: its components in the order of its list, its hooks, and the outcomes that conditions take.
 macro_rules! test_tree {
-    ($tree:ty: [$($component:ty),* $(,)?] $(, entry: [$($of:ident.$state:ident: $entry:ident),*])? $(, exit: [$($eof:ident.$estate:ident: $exit:ident),*])?) => {
+    (
+        $tree:ty: [$($component:ty),* $(,)?]
+        $(, entry: [$($of:ident.$state:ident: $entry:ident),*])?
+        $(, exit: [$($eof:ident.$estate:ident: $exit:ident),*])?
+        $(, outcomes: [$($by:ident.$function:ident: $child:ident),*])?
+    ) => {
         impl crate::semantics::test_tree::TestTree for $tree {
             const HOOKS: &'static [crate::semantics::test_tree::Hook] = &[
                 $($(crate::semantics::test_tree::Hook {
@@ -33,6 +41,9 @@ macro_rules! test_tree {
                     of: stringify!($eof), state: stringify!($estate), entry: false, name: stringify!($exit),
                 },)*)?
             ];
+
+            const OUTCOMES: &'static [[&'static str; 3]] =
+                &[$($([stringify!($by), stringify!($function), stringify!($child)],)*)?];
 
             fn unit(&mut self, index: usize) -> &mut crate::semantics::unit::Unit {
                 $(if index == <$tree>::id::<$component>().index() {

@@ -16,9 +16,9 @@ impl Model {
             other => return other,
         }
         let is_due = |data: &&mut Data| matches!(data.job, Job::Running(_, due) if now >= due);
-        if !self.visits
-            && let Some(data) = self.components.iter_mut().find(is_due)
-        {
+        if self.visits {
+            self.going = None;
+        } else if let Some(data) = self.components.iter_mut().find(is_due) {
             data.job = Job::None;
         }
         Ok(())

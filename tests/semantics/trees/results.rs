@@ -175,5 +175,6 @@ activation_tree! {
 test_tree!(
     Results: [Boss, Picker, Helper, Reach, Grip, Motor],
     entry: [Picker.lift: close, Reach.go: aim],
-    exit: []
+    exit: [],
+    outcomes: [Helper.gives_up: Reach]
 );

@@ -21,6 +21,8 @@ pub(super) struct Draft {
     pub(super) is_tuned: bool,
     /// Hooks of states: whether it is an entry hook, and its line in the list of the test tree.
     pub(super) hooks: RefCell<Vec<(bool, String)>>,
+    /// Results that conditions take, as lines in the list of the test tree.
+    pub(super) outcomes: RefCell<Vec<String>>,
     /// Children that it writes.
     pub(super) written: RefCell<BTreeSet<usize>>,
     /// Roles for which it asks.

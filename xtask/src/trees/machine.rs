@@ -50,7 +50,9 @@ pub(super) fn write(draft: &mut Draft, states: &[State], random: &mut Random) ->
             bare[from] += &arrow;
         } else {
             text += &arrow;
-            text += &condition(draft, number, states[to].takes, random);
+            // With `when` of the same child its outcome would say nothing more.
+            let ended = if guard.contains("when") { Vec::new() } else { ended(draft, &states[from].body.function) };
+            text += &condition(draft, &ended, (number, states[to].takes), random);
         }
     }
     let mut all = String::new();
@@ -76,7 +78,7 @@ fn guard(draft: &mut Draft, body: &Function, random: &mut Random) -> String {
         }
         _ => String::new(),
     };
-    let ended: Vec<_> = draft.ends.iter().filter(|(child, _)| body.names(*child)).copied().collect();
+    let ended = ended(draft, body);
     if !ended.is_empty() && random.chance(60) {
         let (child, end) = random.one_of(&ended);
         write!(guard, ", when = {end}(C{child})").expect("a text");
@@ -87,13 +89,25 @@ fn guard(draft: &mut Draft, body: &Function, random: &mut Random) -> String {
     guard
 }
 
-fn condition(draft: &Draft, number: usize, carries: bool, random: &mut Random) -> String {
+/// Results that the children of a function can have, which it takes by their names.
+fn ended(draft: &Draft, body: &Function) -> Vec<(usize, &'static str)> {
+    draft.ends.iter().filter(|(child, _)| body.names(*child)).copied().collect()
+}
+
+fn condition(draft: &Draft, ended: &[(usize, &str)], (number, carries): (usize, bool), random: &mut Random) -> String {
     let function = Function::random(&draft.children, 25, true, random);
     let (call, result) = if carries { ("find", "Option<Carried>") } else { ("evaluate", "bool") };
-    let (arguments, reads) = (function.arguments(), function.reads());
+    let (mut arguments, mut lines, reads) = (function.arguments(), String::new(), function.reads());
     draft.use_links(&function);
+    if !ended.is_empty() && random.chance(60) {
+        let (child, _) = random.one_of(ended);
+        write!(arguments, ", outcome: &Outcome<C{child}>").expect("a text");
+        writeln!(lines, "        ended(\"C{child}\", outcome);").expect("a text");
+        draft.outcomes.borrow_mut().push(format!("C{}.t{number}: C{child}", draft.index));
+    }
     format!(
-        "    fn t{number}(&self{arguments}) -> {result} {{\n        self.unit.{call}(\"t{number}\", {reads})\n    }}\n"
+        "    fn t{number}(&self{arguments}) -> {result} {{\n{lines}        \
+         self.unit.{call}(\"t{number}\", {reads})\n    }}\n"
     )
 }
 

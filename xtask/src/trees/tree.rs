@@ -39,7 +39,7 @@ pub(super) fn module(number: u64, seed: u64) -> String {
 fn text(number: u64, written: &[(Draft, String)], random: &mut Random) -> String {
     let mut text = format!(
         "pub(crate) mod t{number} {{\nuse bica::prelude::*;\nuse crate::semantics::test_tree::test_tree;\n\
-         use crate::semantics::unit::{{Carried, Unit, aged, job, unit}};\n"
+         use crate::semantics::unit::{{Carried, Unit, aged, ended, job, unit}};\n"
     );
     for (draft, functions) in written {
         let index = draft.index;
@@ -98,10 +98,12 @@ fn tree(number: u64, written: &[(Draft, String)], random: &mut Random) -> String
         let hooks = written.iter().flat_map(|(draft, _)| draft.hooks.borrow().clone());
         hooks.filter(|(is_entry, _)| *is_entry == entry).map(|(_, line)| line).collect::<Vec<_>>().join(", ")
     };
+    let outcomes: Vec<_> = written.iter().flat_map(|(draft, _)| draft.outcomes.borrow().clone()).collect();
+    let outcomes = outcomes.join(", ");
     write!(
         text,
         "activation_tree! {{\npub(crate) struct T{number} {{\nroot: C0, cycle_hz: 100, {tunable}{roles}\n\
-                  components: [{listed}],\n}}\n}}\ntest_tree!(T{number}: [{listed}], entry: [{}], exit: [{}]);\n",
+                  components: [{listed}],\n}}\n}}\ntest_tree!(T{number}: [{listed}], entry: [{}], exit: [{}], outcomes: [{outcomes}]);\n",
         hooks(true),
         hooks(false)
     )
