@@ -3,10 +3,10 @@
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{
-    FnArg, GenericParam, ItemTrait, Path, ReceiverKind, ReturnType, Signature, TraitItem, TraitItemFn, TraitItemType,
-    parse_quote,
+    FnArg, GenericParam, ItemTrait, Path, ReturnType, Signature, TraitItem, TraitItemFn, TraitItemType, parse_quote,
 };
 
+use crate::component::signature::borrows;
 use crate::report::Report;
 use crate::{plain_item, text, wording};
 
@@ -84,7 +84,7 @@ fn signature(method: &Signature, own: &[String], report: &mut Report) {
         report.add(types, wording::ROLE_GENERIC);
     }
     match method.inputs.first() {
-        Some(FnArg::Receiver(receiver)) if matches!(receiver.kind, ReceiverKind::Reference(..)) => {}
+        Some(FnArg::Receiver(receiver)) if borrows(receiver) => {}
         other => {
             let problem = wording::role_receiver(&text::name(&method.ident));
             match other {

@@ -19,7 +19,7 @@ pub mod resolve;
 mod results;
 mod role;
 mod roles;
-mod signature;
+pub(crate) mod signature;
 mod waiting;
 pub mod work;
 

@@ -141,6 +141,11 @@ pub(super) fn writes(signature: &mut Signature, own: &Type, report: &mut Report)
     }
 }
 
+/// Whether a method takes `self` by reference, in any form.
+pub(crate) fn borrows(receiver: &Receiver) -> bool {
+    taken(receiver, &parse_quote!(Self)) != Taken::Otherwise
+}
+
 fn taken(receiver: &Receiver, own: &Type) -> Taken {
     let mutable = match &receiver.kind {
         ReceiverKind::Reference(_, _, mutable) => mutable.is_some(),
