@@ -6,7 +6,6 @@ use super::borrow::{BorrowSet, ExclusiveStore, Write};
 use super::component_state::Policy;
 use super::cycle_state::VisitOutcome;
 use super::engine;
-use super::going::goes;
 use super::layout::{Has, Layout, MemberOf};
 use super::results;
 use crate::age::Age;
@@ -64,24 +63,10 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
         self.store.component_state::<C>().activation().is_visited_as_before(self.store.cycle_state().parity())
     }
 
-    /// Begins the visit of `C`, which declares a rate. Almost always it was active before, and then only its period is
-    /// asked.
-    #[inline]
-    #[must_use]
-    pub fn visit_at_rate<C: 'static>(&mut self) -> VisitOutcome
-    where
-        T: Has<C>,
-    {
-        let (cycle_state, state) = (self.store.cycle_state(), self.store.component_state::<C>());
-        if !state.activation().visits_as_before(cycle_state.previous()) {
-            return self.visit_any::<C>();
-        }
-        if self.is_due::<C>() { VisitOutcome::DUE } else { VisitOutcome::WAITING }
-    }
-
     /// Returns whether a run of `C` is due, and if so moves its grid on.
     #[inline]
-    pub(crate) fn is_due<C: 'static>(&self) -> bool
+    #[must_use]
+    pub fn is_due<C: 'static>(&self) -> bool
     where
         T: Has<C>,
     {
@@ -89,11 +74,10 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
         state.is_due(now, self.store.period::<C>(), const { tolerance::<T, C>() })
     }
 
-    /// Begins the visit of `C`, which declares no rate, if it was active before and runs in every cycle; returns whether
-    /// that was so.
+    /// Begins the visit of `C` if it was active before, and nothing is to be asked but whether it is due; returns whether that was so.
     #[inline]
     #[must_use]
-    pub fn visit_in_every_cycle<C: 'static>(&mut self) -> bool
+    pub fn visits_as_before<C: 'static>(&mut self) -> bool
     where
         T: Has<C>,
     {
@@ -122,12 +106,6 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
         if outcome.is_started() {
             self.probe.start(id::<T, C>());
             T::Member::start(self);
-        }
-        if const { goes::<T, C>() } && self.store.cycle_state().is_going(T::INDEX) {
-            if !outcome.is_started() && !outcome.is_closed() {
-                return VisitOutcome::GOING;
-            }
-            self.store.cycle_state().takes_going(T::INDEX);
         }
         outcome
     }
@@ -163,9 +141,6 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
     {
         // First, because a hook may unwind.
         self.work::<C>().cancel();
-        if const { goes::<T, C>() } {
-            self.store.cycle_state().takes_going(T::INDEX);
-        }
         T::Member::stop(self);
         self.probe.stop(id::<T, C>());
     }

@@ -45,28 +45,19 @@ impl VisitOutcome {
     /// The component is not to be visited: it was visited in this cycle, or it is held latent.
     pub const CLOSED: Self = Self(0);
     /// The component stays active and is not due.
-    pub(crate) const WAITING: Self = Self(1);
+    pub const WAITING: Self = Self(1);
     /// The component stays active and is due.
     pub const DUE: Self = Self(1 | 2);
     /// The component became active in the state in which it became latent.
     const RESUMED: Self = Self(1 | 2 | 4);
     /// The component became active in its initial state.
     pub(crate) const ENTERED: Self = Self(1 | 2 | 4 | 8);
-    /// The machine goes to a state by request: this visit is closed, and a run of its own takes its place.
-    pub(crate) const GOING: Self = Self(16);
 
     /// Whether the visit ends here.
     #[inline]
     #[must_use]
     pub const fn is_closed(self) -> bool {
         self.0 & 1 == 0
-    }
-
-    /// Whether the machine goes to a state by request.
-    #[inline]
-    #[must_use]
-    pub const fn is_going(self) -> bool {
-        self.0 == Self::GOING.0
     }
 
     /// Whether the component is to run.
@@ -105,14 +96,20 @@ impl CycleState {
         }
     }
 
-    /// Records that a machine goes to a state in the next cycle; returns false if another one does.
+    /// Records that a machine goes to a state in the next cycle, which takes the recheck; returns false if another one does.
     pub(crate) fn goes(&self, component: usize, state: usize) -> bool {
         let (other, _) = self.going.get();
         let accepts = other == NOBODY || usize::from(other) == component;
         if accepts {
             self.going.set((component as u8, state as u8));
+            self.request_recheck();
         }
         accepts
+    }
+
+    /// Forgets the machine that did not go, because it was not visited or began in this cycle.
+    pub(crate) fn ends_going(&self) {
+        self.going.set((NOBODY, 0));
     }
 
     /// Whether the machine goes to a state.
@@ -122,8 +119,8 @@ impl CycleState {
     }
 
     /// Returns the state to which the machine goes, once.
-    pub(crate) fn takes_going(&self, component: usize) -> Option<usize> {
-        self.is_going(component).then(|| self.going.replace((NOBODY, 0)).1.into())
+    pub(crate) fn takes_going(&self) -> usize {
+        self.going.replace((NOBODY, 0)).1.into()
     }
 
     /// Begins a cycle. If the tree `keeps_parity`, a steady tick has the parity of the previous one.
@@ -201,6 +198,7 @@ impl CycleState {
     pub(crate) fn interrupt(&self) {
         self.interrupted.set(true);
         self.steady.set(false);
+        self.ends_going();
         self.request_recheck();
     }
 

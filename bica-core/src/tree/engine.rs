@@ -8,6 +8,7 @@ use super::borrow::Store;
 use super::component_state::ComponentState;
 use super::cycle::Cycle;
 use super::deferred::visit_deferred;
+use super::going;
 use super::layout::Layout;
 use super::steady::become_steady;
 use crate::hold::Hold;
@@ -111,6 +112,9 @@ fn update_active<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
         visit_held_active(cycle, held_active);
     }
     if cycle.store.cycle_state().takes_recheck() {
+        if going::IS_POSSIBLE {
+            cycle.store.cycle_state().ends_going();
+        }
         stop_unvisited(cycle);
         if const { T::PLANS.exist() } && !cycle.store.cycle_state().is_steady() {
             become_steady(cycle);

@@ -2,6 +2,7 @@
 
 use super::Tree;
 use super::cycle::Cycle;
+use super::cycle_state::VisitOutcome;
 use super::engine::Engine;
 use super::layout::{Has, Layout};
 use crate::component::Component;
@@ -13,22 +14,34 @@ use crate::probe::Probe;
 use crate::refusal::{Reason, Refusal};
 
 /// Whether programs for this target can do it: on a microcontroller the code would occupy its memory.
-const IS_POSSIBLE: bool = cfg!(not(target_os = "none"));
+pub(super) const IS_POSSIBLE: bool = cfg!(not(target_os = "none"));
 
 /// Whether `C` is a machine, which can go to a state by request.
 #[must_use]
-pub const fn goes<T: Has<C>, C: 'static>() -> bool {
+const fn goes<T: Has<C>, C: 'static>() -> bool {
     IS_POSSIBLE && !<T::Member as Component>::STATES.is_empty()
 }
 
 impl<T: Layout, P: Probe> Cycle<'_, T, P> {
+    /// Whether the visit of `C` with this outcome, which was not as before, is the run in which it goes to a state. A machine that begins
+    /// in this cycle goes nowhere.
+    #[inline]
+    #[must_use]
+    pub fn is_going<C: 'static>(&self, outcome: VisitOutcome) -> bool
+    where
+        T: Has<C>,
+    {
+        let is_possible = const { goes::<T, C>() };
+        is_possible && !outcome.is_closed() && !outcome.is_started() && self.store.cycle_state().is_going(T::INDEX)
+    }
+
     /// Begins the run in which `C` goes to a state; returns the indices of the state that it leaves, and of the one that it enters.
     pub fn begin_going<C: 'static>(&mut self) -> (usize, usize)
     where
         T: Has<C>,
     {
         let (from, _) = self.store.component_state::<C>().counted_state();
-        let to = self.store.cycle_state().takes_going(T::INDEX).unwrap_or(from);
+        let to = self.store.cycle_state().takes_going();
         self.begin_run::<C>();
         (from, to)
     }

@@ -66,10 +66,20 @@ pub trait Has<C: 'static>: Layout {
     fn visit_steady<P: Probe, const PLAN: usize>(cycle: &mut Cycle<'_, Self, P>) {
         <Self as Has<C>>::visit(cycle);
     }
+    /// Begins a visit in all cases. If the component goes to a state by request, its visit ends here.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn visit_otherwise<P: Probe>(_: &mut Cycle<'_, Self, P>) -> VisitOutcome {
+        VisitOutcome::CLOSED
+    }
     /// Begins the visit of a component without a declared rate that was latent or was given a rate. If it is not due,
     /// its visit ends here.
     #[doc(hidden)]
-    fn visit_unusual<P: Probe>(cycle: &mut Cycle<'_, Self, P>) -> VisitOutcome;
+    #[must_use]
+    fn visit_unusual<P: Probe>(_: &mut Cycle<'_, Self, P>) -> VisitOutcome {
+        VisitOutcome::CLOSED
+    }
 }
 
 /// The parameters of component `C` of tree `T`.

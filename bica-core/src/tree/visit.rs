@@ -29,20 +29,26 @@ macro_rules! __visit_functions {
         #[inline]
         fn visit_once<__P: $crate::__private::Probe>(cycle: &mut $crate::__private::Cycle<'_, Self, __P>) {
             if const { $crate::__private::visits_at_rate::<Self, $component>() } {
-                let outcome = cycle.visit_at_rate::<$component>();
+                let outcome = if cycle.visits_as_before::<$component>() {
+                    if cycle.is_due::<$component>() {
+                        $crate::__private::VisitOutcome::DUE
+                    } else {
+                        $crate::__private::VisitOutcome::WAITING
+                    }
+                } else {
+                    <Self as $crate::__private::Has<$component>>::visit_otherwise(cycle)
+                };
                 if !outcome.is_closed() {
                     let visit = $crate::__private::Visit { due: outcome.is_due(), entering: outcome.is_entering() };
                     if !visit.due {
                         cycle.skip::<$component>();
                     }
                     $crate::__pass!($component, cycle, visit);
-                } else if const { $crate::__private::goes::<Self, $component>() } && outcome.is_going() {
-                    $crate::__pass!($component, cycle);
                 }
                 return;
             }
             // Paths merge before component values are live, which avoids spills.
-            let outcome = if cycle.visit_in_every_cycle::<$component>() {
+            let outcome = if cycle.visits_as_before::<$component>() {
                 $crate::__private::VisitOutcome::DUE
             } else {
                 <Self as $crate::__private::Has<$component>>::visit_unusual(cycle)
@@ -50,9 +56,21 @@ macro_rules! __visit_functions {
             if !outcome.is_closed() {
                 let visit = $crate::__private::Visit { due: true, entering: outcome.is_entering() };
                 $crate::__pass!($component, cycle, visit);
-            } else if const { $crate::__private::goes::<Self, $component>() } && outcome.is_going() {
-                $crate::__pass!($component, cycle);
             }
+        }
+
+        // Closed visits, of what is held latent, then ask nothing.
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn visit_otherwise<__P: $crate::__private::Probe>(
+            cycle: &mut $crate::__private::Cycle<'_, Self, __P>,
+        ) -> $crate::__private::VisitOutcome {
+            let outcome = cycle.visit_any::<$component>();
+            if cycle.is_going::<$component>(outcome) {
+                $crate::__pass!($component, cycle);
+                return $crate::__private::VisitOutcome::CLOSED;
+            }
+            outcome
         }
 
         // Nested visits become one function without calls.
@@ -74,7 +92,7 @@ macro_rules! __visit_functions {
         fn visit_unusual<__P: $crate::__private::Probe>(
             cycle: &mut $crate::__private::Cycle<'_, Self, __P>,
         ) -> $crate::__private::VisitOutcome {
-            let outcome = cycle.visit_any::<$component>();
+            let outcome = <Self as $crate::__private::Has<$component>>::visit_otherwise(cycle);
             if !cycle.is_given_rate::<$component>() || outcome.is_due() || outcome.is_closed() {
                 return outcome;
             }

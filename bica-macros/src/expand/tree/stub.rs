@@ -86,9 +86,6 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
             fn visit<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>) {}
             fn visit_shared<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>) {}
             fn visit_once<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>) {}
-            fn visit_unusual<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>) -> #p::VisitOutcome {
-                ::core::unreachable!()
-            }
         }
     }
 }
