@@ -115,11 +115,18 @@ pub(super) struct Passing<'a> {
 
 /// Moves the passages of different trunks through one gap apart.
 pub(super) fn spread(courses: &mut [Passing<'_>], gaps: &[Vec<(f64, f64)>], distance: f64) {
+    let mut of_rows: Vec<Vec<usize>> = vec![Vec::new(); gaps.len()];
+    for (index, course) in courses.iter().enumerate() {
+        (1..course.xs.len() - 1).for_each(|at| of_rows[course.row + at].push(index));
+    }
     for (row, gap) in gaps.iter().enumerate().flat_map(|(row, all)| all.iter().map(move |gap| (row, *gap))) {
         let mut passes: Vec<(usize, f64, Vec<usize>)> = Vec::new();
-        let at = |course: &Passing<'_>| row.checked_sub(course.row).filter(|at| *at > 0 && *at + 1 < course.xs.len());
-        for (index, course) in courses.iter().enumerate() {
-            let Some(x) = at(course).map(|at| course.xs[at]).filter(|x| (gap.0..=gap.1).contains(x)) else { continue };
+        for &index in &of_rows[row] {
+            let course = &courses[index];
+            let x = course.xs[row - course.row];
+            if !(gap.0..=gap.1).contains(&x) {
+                continue;
+            }
             match passes.iter_mut().find(|(trunk, known, _)| *trunk == course.trunk && known.total_cmp(&x).is_eq()) {
                 Some((.., all)) => all.push(index),
                 None => passes.push((course.trunk, x, vec![index])),
@@ -131,9 +138,8 @@ pub(super) fn spread(courses: &mut [Passing<'_>], gaps: &[Vec<(f64, f64)>], dist
         let places = apart(&wanted, &vec![0.0; wanted.len()], gap, distance);
         for ((.., all), place) in passes.iter().zip(places) {
             for index in all {
-                if let Some(at) = at(&courses[*index]) {
-                    courses[*index].xs[at] = place;
-                }
+                let course = &mut courses[*index];
+                course.xs[row - course.row] = place;
             }
         }
     }
@@ -161,7 +167,8 @@ impl Span {
         }
     }
 
-    /// Gives each span a lane in its corridor: spans that are less than `distance` apart have different ones.
+    /// Gives each span a lane in its corridor, and sorts them for [`find`](Self::find): spans that are less than `distance` apart have
+    /// different lanes.
     pub(super) fn assign(spans: &mut [Self], corridors: usize, distance: f64) {
         for corridor in 0..corridors {
             let mut here: Vec<&mut Self> = spans.iter_mut().filter(|one| one.corridor == corridor).collect();
@@ -176,6 +183,13 @@ impl Span {
                 span.lanes = ends.len();
             }
         }
+        spans.sort_by_key(|span| (span.corridor, span.trunk));
+    }
+
+    /// The span of a trunk in a corridor, of spans that have lanes.
+    pub(super) fn find(spans: &[Self], corridor: usize, trunk: usize) -> Option<&Self> {
+        let found = spans.binary_search_by_key(&(corridor, trunk), |span| (span.corridor, span.trunk));
+        found.ok().map(|at| &spans[at])
     }
 }
 

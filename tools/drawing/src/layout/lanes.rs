@@ -50,7 +50,7 @@ struct Named {
 pub(super) struct Draft<'a> {
     arrows: &'a [Arrow],
     look: &'a Look,
-    rows: Vec<Vec<usize>>,
+    pub(super) rows: Vec<Vec<usize>>,
     pub(super) row_of: Vec<usize>,
     pub(super) boxes: Vec<Rectangle>,
     width: f64,
@@ -109,7 +109,7 @@ impl<'a> Draft<'a> {
         let tops = self.heights(&spans);
         let Look { above, lane, .. } = *self.look;
         let y = |corridor: usize, bundle: usize| {
-            let span = spans.iter().find(|one| (one.corridor, one.trunk) == (corridor, bundle));
+            let span = Span::find(&spans, corridor, bundle);
             tops[corridor] + above + (span.map_or(0.0, |span| span.lane as f64) + 0.5) * lane
         };
         let low = spans.iter().map(|span| span.low).fold(0.0, f64::min) - INITIAL;
@@ -269,16 +269,22 @@ impl Way {
 }
 
 impl Named {
-    /// Moves a name that is wider than its lane, and would cover lines of others or its own loop, beside all of them.
+    /// Moves a name that is wider than its lane, and would cover lines of others or its own loop, beside all of them; `uprights` are in
+    /// order.
     fn stand_aside(&mut self, span: &Span, (half, own): (f64, f64), uprights: &[f64], is_loop: bool) {
         let Span { low, high, .. } = *span;
-        let is_covered = uprights.iter().any(|x| (x - self.x).abs() < half && (*x < low || *x > high));
+        let from = |end: f64| &uprights[uprights.partition_point(|x| *x < end)..];
+        let mut under = from(self.x - half).iter().take_while(|x| **x < self.x + half);
+        let is_covered = under.any(|x| (x - self.x).abs() < half && (*x < low || *x > high));
         if high - low >= 2.0 * half || !(is_covered || is_loop) {
             return;
         }
-        let near = |step: f64, end: f64, x: f64| (x - end) * step > 0.0 && (x - end) * step < NEAR;
-        let left = uprights.iter().rev().fold(low, |end, x| if near(-1.0, end, *x) { *x } else { end });
-        let right = uprights.iter().fold(high, |end, x| if near(1.0, end, *x) { *x } else { end });
+        let beside = |mut end: f64, lines: &mut dyn Iterator<Item = &f64>| {
+            lines.take_while(|x| (*x - std::mem::replace(&mut end, **x)).abs() < NEAR).last().copied()
+        };
+        let before = &uprights[..uprights.len() - from(low).len()];
+        let left = beside(low, &mut before.iter().rev()).unwrap_or(low);
+        let right = beside(high, &mut from(high).iter()).unwrap_or(high);
         if right - high <= low - left {
             self.x = right + BESIDE + half;
             self.leader = Some((high, self.x - own));

@@ -16,7 +16,7 @@ use serde::Serialize;
 pub use courses::path;
 pub use kind::{Kind, kinds, links};
 pub use parts::{Arrow, Course, LOOKS, Look, Machine};
-pub use tree::{Link, Tree};
+pub use tree::{Link, Tree, add_queries};
 
 /// x and y, px: to the right and down.
 pub type Point = (f64, f64);

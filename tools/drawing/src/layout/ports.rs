@@ -11,6 +11,9 @@ const CLEAR: f64 = 4.0;
 /// Distances by which an end is moved from another bundle's line, px.
 const MOVES: [f64; 8] = [5.0, -5.0, 9.0, -9.0, 13.0, -13.0, 18.0, -18.0];
 
+/// The largest of them.
+const FARTHEST: f64 = 18.0;
+
 /// A place at a side of a state.
 pub(super) struct Port {
     state: usize,
@@ -73,12 +76,20 @@ impl Draft<'_> {
 
     /// Moves ends away from upright lines of other bundles in their corridor: two lines at one x look like one.
     pub(super) fn separate(&mut self, ports: &[Port]) {
+        // x and bundle of all upright lines of each corridor, from left to right.
+        let mut lines: Vec<Vec<(f64, usize)>> = vec![Vec::new(); self.rows.len() + 1];
+        for way in &self.ways {
+            for corridor in way.first..way.first + way.xs.len().max(2) - 1 {
+                lines[corridor].extend(way.uprights(corridor).iter().map(|x| (*x, way.bundle)));
+            }
+        }
+        lines.iter_mut().for_each(|all| all.sort_by(|a, b| a.0.total_cmp(&b.0)));
         for port in ports {
-            let bundle = self.ways[port.ends[0].0].bundle;
-            let others = self.ways.iter().filter(|way| way.bundle != bundle);
-            let others: Vec<f64> = others.flat_map(|way| way.uprights(port.corridor)).copied().collect();
-            let is_free = |x: f64| others.iter().all(|other| (other - x).abs() >= CLEAR);
+            let (bundle, all) = (self.ways[port.ends[0].0].bundle, &mut lines[port.corridor]);
             let (x, within) = (self.end(port.ends[0]), &self.boxes[port.state]);
+            let first = |all: &[(f64, usize)], x: f64| all.partition_point(|line| line.0 < x);
+            let near = &all[first(all, x - FARTHEST - CLEAR)..first(all, x + FARTHEST + CLEAR)];
+            let is_free = |x: f64| near.iter().all(|(other, of)| *of == bundle || (other - x).abs() >= CLEAR);
             let is_inside = |x: &f64| (x - within.x).abs() < within.width / 2.0 - CLEAR;
             let mut moved = MOVES.iter().map(|step| x + step).filter(is_inside);
             let Some(free) = (!is_free(x)).then(|| moved.find(|x| is_free(*x))).flatten() else { continue };
@@ -86,6 +97,11 @@ impl Draft<'_> {
                 let xs = &mut self.ways[*way].xs;
                 let at = if *is_lower { xs.len() - 1 } else { 0 };
                 xs[at] = free;
+                let old = first(all, x);
+                if let Some(line) = all[old..].iter().position(|line| line.1 == bundle) {
+                    all.remove(old + line);
+                }
+                all.insert(first(all, free), (free, bundle));
             }
         }
     }

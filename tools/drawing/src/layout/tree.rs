@@ -31,6 +31,30 @@ pub struct Link {
     pub side: f64,
 }
 
+/// Adds the lines of queries, `(from, of)`. They are no links: one that leads to a component above keeps that above.
+pub fn add_queries(links: &mut Vec<Link>, queries: impl IntoIterator<Item = (usize, usize)>) {
+    let first = links.iter().map(|link| link.trunk + 1).max().unwrap_or(0);
+    for (from, of) in queries {
+        let (upper, lower) = if is_above(links, of, from) { (of, from) } else { (from, of) };
+        links.push(Link { from: upper, to: lower, trunk: first + from, side: 0.0 });
+    }
+}
+
+/// Returns whether links lead from a box down to another one.
+fn is_above(links: &[Link], upper: usize, lower: usize) -> bool {
+    let mut reached = vec![upper];
+    let mut next = 0;
+    while let Some(&from) = reached.get(next) {
+        for link in links.iter().filter(|link| link.from == from) {
+            if !reached.contains(&link.to) {
+                reached.push(link.to);
+            }
+        }
+        next += 1;
+    }
+    reached.contains(&lower)
+}
+
 /// A laid-out tree.
 #[derive(Clone, Debug, Default)]
 pub struct Tree {
@@ -196,12 +220,14 @@ fn lines(links: &[Link], boxes: &[Rectangle], row_of: &[usize], rows: &[Vec<usiz
     let mut passing: Vec<Passing<'_>> =
         courses.iter_mut().map(|(index, xs)| Passing { trunk: links[*index].trunk, row: first(*index), xs }).collect();
     spread(&mut passing, &gaps, LANE);
-    let mut spans = Vec::new();
+    let mut of_trunks: BTreeMap<usize, Vec<Span>> = BTreeMap::new();
     for (index, xs) in &courses {
+        let (trunk, own) = (links[*index].trunk, of_trunks.entry(links[*index].trunk).or_default());
         for (at, pair) in xs.windows(2).enumerate() {
-            Span::add(&mut spans, first(*index) + at, links[*index].trunk, (pair[0], pair[1]));
+            Span::add(own, first(*index) + at, trunk, (pair[0], pair[1]));
         }
     }
+    let mut spans: Vec<Span> = of_trunks.into_values().flatten().collect();
     Span::assign(&mut spans, rows.len(), LANE);
     let half = boxes[0].height / 2.0;
     let mut lines = vec![Vec::new(); links.len()];
@@ -210,8 +236,8 @@ fn lines(links: &[Link], boxes: &[Rectangle], row_of: &[usize], rows: &[Vec<usiz
         let lane = |corridor: usize| {
             let corridor = first(*index) + corridor;
             let (top, bottom) = (boxes[rows[corridor][0]].y + half, boxes[rows[corridor + 1][0]].y - half);
-            let span = spans.iter().find(|one| (one.corridor, one.trunk) == (corridor, link.trunk));
-            let part = span.map_or(0.5, |span| (span.lane as f64 + 1.0) / (span.lanes as f64 + 1.0));
+            let part = Span::find(&spans, corridor, link.trunk)
+                .map_or(0.5, |span| (span.lane as f64 + 1.0) / (span.lanes as f64 + 1.0));
             top + part * (bottom - top)
         };
         lines[*index] = corners(xs, boxes[upper].y + half, boxes[lower].y - half, lane);
