@@ -8,7 +8,7 @@ use super::splice::Splice;
 use super::style::{DEFAULT_WIDTH, Style, indentation, snake};
 use super::{fragment, imports};
 use crate::model::{Model, Span};
-use crate::read::{Outline, Token, lexed, parse};
+use crate::read::{Outline, Token, lexed, parse, within};
 
 /// Returns the name of the file and module of a component: `wall_finder` for `WallFinder`.
 ///
@@ -83,17 +83,7 @@ pub fn enlist(text: &str, model: &Model, name: &str, import: Option<&str>) -> Re
     let Some(open) = open.map(|at| at + 2) else {
         return Err(Refusal::new("no `components: [...]` of an `activation_tree!` is in this file"));
     };
-    let mut depth = 0_usize;
-    let list = code[open + 1..].iter().take_while(|token| {
-        match token.text {
-            "[" => depth += 1,
-            "]" if depth == 0 => return false,
-            "]" => depth -= 1,
-            _ => {}
-        }
-        true
-    });
-    let list: Vec<&Token<'_>> = list.collect();
+    let list = within(&code[open + 1..]);
     if let Some(taken) = list.iter().find(|token| token.text == name) {
         return Err(Refusal::at(taken.span, format!("the tree has a component `{name}` already")));
     }

@@ -1,7 +1,7 @@
 //! Deletion of functions.
 
 use super::context::{Context, function};
-use super::layout::{attribute_removal, removal};
+use super::layout::{attribute_removal, entry_removal, removal};
 use super::request::Refusal;
 use super::splice::Splice;
 use super::style::{line_number, line_start};
@@ -92,14 +92,7 @@ fn of_hook<'a>(text: &str, hook: &'a Hook, state: &str, gone: &mut Vec<&'a Funct
 
 /// Removes a name from `a | b | c`, of which another name remains.
 fn without(text: &str, names: &[Name], state: &str) -> Vec<Splice> {
-    let mut removed = Vec::new();
-    for (index, name) in names.iter().enumerate().filter(|(_, name)| name.text == state) {
-        let span = match (names.get(index + 1), index.checked_sub(1).map(|before| &names[before])) {
-            (Some(next), _) => Span::new(name.span.start, next.span.start),
-            (None, Some(before)) => Span::new(before.span.end, name.span.end),
-            (None, None) => name.span,
-        };
-        removed.push(Splice::keeping_comments(text, span, ""));
-    }
-    removed
+    let spans: Vec<Span> = names.iter().map(|name| name.span).collect();
+    let removed = (0..names.len()).filter(|index| names[*index].text == state);
+    removed.map(|index| Splice::keeping_comments(text, entry_removal(&spans, index), "")).collect()
 }

@@ -69,6 +69,15 @@ pub(super) fn attribute_removal(text: &str, attribute: Span) -> Span {
     Span::new(attribute.start, attribute.end + behind)
 }
 
+/// Returns the span of an entry of a list with the separator behind it, or that before it if it is the last one.
+pub(super) fn entry_removal(entries: &[Span], place: usize) -> Span {
+    let (entry, before) = (entries[place], place.checked_sub(1).map(|before| entries[before]));
+    match (entries.get(place + 1), before) {
+        (Some(next), _) => Span::new(entry.start, next.start),
+        (None, before) => Span::new(before.map_or(entry.start, |before| before.end), entry.end),
+    }
+}
+
 /// Returns the lines of a function, the first with its indentation.
 pub(super) fn lines<'a>(text: &'a str, function: &Function) -> &'a str {
     let Span { start, end } = function.span;

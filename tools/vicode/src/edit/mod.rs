@@ -16,10 +16,12 @@ mod plan;
 mod reads;
 mod rename;
 mod request;
+mod role;
 mod splice;
 mod style;
 mod table;
 mod target;
+mod tree;
 mod types;
 mod uses;
 

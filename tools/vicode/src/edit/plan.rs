@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::request::{Edit, Refusal};
 use super::splice::{Splice, applied, ordered};
-use super::{children, delete, docs, functions, imports, machine, options, rename, table};
+use super::{children, delete, docs, functions, imports, machine, options, rename, role, table, tree};
 use crate::model::{Model, Reporter};
 use crate::read::read;
 
@@ -54,6 +54,9 @@ const fn is_local(edit: &Edit) -> bool {
             | Edit::SetBody { .. }
             | Edit::SetDocs { .. }
             | Edit::Rename { .. }
+            | Edit::RenameMember { .. }
+            | Edit::SetProvider { .. }
+            | Edit::RenameRole { .. }
             | Edit::Move { .. }
     )
 }
@@ -86,6 +89,9 @@ fn splices(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, Refusal> {
         Edit::SetNumbers { table, numbers } => table::set(context, table, numbers),
         Edit::InsertRow { table, before, copy, code } => table::insert(context, table, *before, *copy, code),
         Edit::DeleteRow { table, row } => table::delete(context, table, *row),
+        Edit::RenameMember { tree, member, to } => tree::member(context, tree, member, to.as_deref()),
+        Edit::SetProvider { tree, role, provider } => tree::provider(context, tree, role, provider.as_deref()),
+        Edit::RenameRole { role, to } => role::rename(context, role, to),
         Edit::Replace { span, text } => Ok(vec![Splice::new(*span, text)]),
     }
 }

@@ -150,6 +150,12 @@ pub enum Edit {
     },
     /// Deletes a row, counted from 0.
     DeleteRow { table: String, row: usize },
+    /// Renames a component that has a name of its own in a tree; without `to` removes it from the tree.
+    RenameMember { tree: String, member: String, to: Option<String> },
+    /// Sets the provider of a role of a tree; without `provider` removes the role from the tree.
+    SetProvider { tree: String, role: String, provider: Option<String> },
+    /// Renames a role and its uses in the file.
+    RenameRole { role: String, to: String },
     /// Replaces a part of the text, as typing does.
     Replace { span: Span, text: String },
 }

@@ -21,6 +21,7 @@ use self::component::settings;
 pub(crate) use self::lexed::{Kind, Token, is_keyword, lexed};
 pub(crate) use self::outline::{Node, Outline};
 pub(crate) use self::source::{Source, parse};
+pub(crate) use self::trees::within;
 pub use self::trees::{TreeSource, trees};
 use crate::model::{Component, Model, Name, Problem, Span};
 

@@ -13,6 +13,8 @@ pub struct TreeSource {
     pub cycle_hz: f64,
     /// Names in the list of components.
     pub components: Vec<String>,
+    /// Names in the list of roles, each followed by its provider.
+    pub roles: Vec<String>,
 }
 
 /// Returns the trees of a text.
@@ -31,13 +33,16 @@ fn tree(code: &[Token<'_>]) -> Option<TreeSource> {
         let value = rest.get(1..)?.split(|token| token.text == ",").next()?;
         hertz(&value.iter().map(|token| token.text).collect::<String>())
     });
-    let list = after("components").and_then(|rest| rest.get(2..)).unwrap_or_default();
-    let names = within(list).iter().filter(|token| token.kind == Kind::Word).map(|token| token.text.to_owned());
-    Some(TreeSource { name, cycle_hz: hz.map_or(100.0, f64::from), components: names.collect() })
+    let names = |word| {
+        let list = after(word).and_then(|rest| rest.get(2..)).unwrap_or_default();
+        within(list).iter().filter(|token| token.kind == Kind::Word).map(|token| token.text.to_owned()).collect()
+    };
+    let cycle_hz = hz.map_or(100.0, f64::from);
+    Some(TreeSource { name, cycle_hz, components: names("components"), roles: names("roles") })
 }
 
 /// Returns the tokens before the closing bracket.
-fn within<'a>(code: &'a [Token<'a>]) -> &'a [Token<'a>] {
+pub(crate) fn within<'a>(code: &'a [Token<'a>]) -> &'a [Token<'a>] {
     let mut depth = 0_usize;
     let end = code.iter().position(|token| {
         let is_closed = depth == 0 && matches!(token.text, "}" | "]" | ")");
