@@ -21,6 +21,7 @@ mod client;
 mod cost_meter;
 mod error;
 mod frame;
+mod job;
 mod memory;
 mod pending;
 mod schema;
@@ -36,6 +37,7 @@ pub use bica_wire::model::{
 pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, LogLine, Shown, Snapshot, Truth, happened};
 pub use cost_meter::{ComponentTime, CostMeter};
 pub use error::Error;
+pub use job::{JOB, JobEvent};
 pub use memory::Memory;
 pub use pending::Pending;
 pub use schema::{decode, decode_exactly, decode_message, decode_output};

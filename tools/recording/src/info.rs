@@ -1,7 +1,10 @@
 //! Contents of a recording.
 
+use std::collections::BTreeMap;
 use std::io::Read;
 
+use bica::JobEnd;
+use bica_link::JobEvent;
 use serde::Serialize;
 
 use crate::contents::{Contents, Part};
@@ -10,7 +13,7 @@ use crate::header::{Ending, Header};
 use crate::mcap::Message;
 use crate::message::{Channel, RunEvent, Tick};
 use crate::recording::decode;
-use crate::request::RequestRecord;
+use crate::request::{RequestRecord, work_name};
 
 /// Contents of a recording.
 #[derive(Clone, Debug, Serialize)]
@@ -37,6 +40,32 @@ pub struct Info {
     pub events: Vec<EventInfo>,
     /// Requests of operators.
     pub requests: Vec<RequestInfo>,
+    /// Jobs beside the loop, by component and function.
+    pub jobs: BTreeMap<String, JobCounts>,
+}
+
+/// Numbers of jobs of one component.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct JobCounts {
+    /// Begun.
+    pub begun: u64,
+    /// Ended with a result, at the latest in the first cycle at or after the due time.
+    pub on_time: u64,
+    /// Ended with a result in a later cycle.
+    pub late: u64,
+    /// Ended without a result.
+    pub failed: u64,
+}
+
+impl JobCounts {
+    fn add(&mut self, event: JobEvent) {
+        *match event {
+            JobEvent::Begun(_) => &mut self.begun,
+            JobEvent::Ended(JobEnd::OnTime) => &mut self.on_time,
+            JobEvent::Ended(JobEnd::Late) => &mut self.late,
+            JobEvent::Ended(JobEnd::Failed) => &mut self.failed,
+        } += 1;
+    }
 }
 
 /// Contents of a channel.
@@ -136,11 +165,18 @@ impl Reading {
             }
             Channel::Events => {
                 let RunEvent { kind, detail, .. } = decode(message)?;
+                if let Some((name, event)) = JobEvent::read(&kind, &detail) {
+                    info.jobs.entry(name.to_owned()).or_default().add(event);
+                }
                 self.times[0].push(message.time);
                 info.events.push(EventInfo { t, event: kind, detail });
             }
             Channel::Requests => {
                 let request: RequestRecord = decode(message)?;
+                if let RequestRecord::Ended { component, end } = request {
+                    let name = work_name(&info.header.tree, component);
+                    info.jobs.entry(name).or_default().add(JobEvent::Ended(end));
+                }
                 self.times[1].push(message.time);
                 info.requests.push(RequestInfo { t, request: request.describe(&info.header.tree) });
             }
@@ -182,5 +218,6 @@ fn empty(header: Header) -> Info {
             .to_vec(),
         events: Vec::new(),
         requests: Vec::new(),
+        jobs: BTreeMap::new(),
     }
 }

@@ -57,7 +57,7 @@ pub use digest::RunningFingerprint;
 pub use error::Error;
 pub use figure::Figure;
 pub use header::{Ending, FORMAT, Header, ImagePolicy, MONITOR_FORMAT, MonitorInfo, SetUp, Topics};
-pub use info::{ChannelInfo, Info};
+pub use info::{ChannelInfo, Info, JobCounts};
 pub use join::RunParts;
 pub use layout::{content, write_content};
 pub use merge::Robots;

@@ -2,6 +2,7 @@
 
 use bica::runner::{OwnedRequest, Request};
 use bica::{ComponentId, JobEnd, Value};
+use bica_link::JobEvent;
 use bica_wire::model::{Description, Modulation, NamedRequest};
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
@@ -45,7 +46,7 @@ impl RequestRecord {
     pub fn describe(&self, tree: &Description) -> String {
         match self {
             Self::Tree(request) => tree.named(request.borrow()).to_string(),
-            Self::Ended { component, end } => format!("{} {}", work_name(tree, *component), end.text()),
+            Self::Ended { component, end } => JobEvent::Ended(*end).detail(&work_name(tree, *component)),
             Self::World { name, values } => {
                 let arguments = tree.action(name).map_or(&[][..], |index| &tree.actions[index].arguments);
                 let plain = |(index, &value): (usize, &Value)| {

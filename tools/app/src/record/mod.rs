@@ -9,7 +9,7 @@ use std::io::{BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use bica_recording::repair::{self, Copied};
-use bica_recording::{Error, Info, Recordable, Robots, RunPart, RunParts, Topics, create, upgrade};
+use bica_recording::{Error, Info, JobCounts, Recordable, Robots, RunPart, RunParts, Topics, create, upgrade};
 use serde::Serialize;
 
 use args::{Files, InfoArgs, Merge, Out, RecordAction, Recover, Trim};
@@ -116,6 +116,10 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
         "length",
         &format!("{:.2} s, {} cycles, {bytes:.2} MB, {chunks} chunks", info.seconds, info.cycles),
     )?;
+    for (name, jobs) in &info.jobs {
+        let JobCounts { begun, on_time, late, failed } = jobs;
+        console.print_row("work", &format!("{name}: {begun} jobs, {on_time} on time, {late} late, {failed} failed"))?;
+    }
     if !info.fingerprint.is_empty() {
         console.print_row("fingerprint", &info.fingerprint)?;
     }

@@ -24,6 +24,7 @@ use super::requests::lock;
 use super::scene::EncodedScene;
 use super::view::View;
 use crate::cost_meter::CostMeter;
+use crate::{JOB, JobEvent};
 
 /// Level of the line of the log about a breakpoint.
 const WARNING: u8 = 3;
@@ -73,10 +74,11 @@ impl<R: Robot> LinkObserver<R> {
     }
 
     /// Tells all monitors what happened to a job.
-    fn tell_work(&self, component: ComponentId, what: &str) {
+    fn tell_work(&self, component: ComponentId, event: JobEvent) {
         let node = &R::GRAPH.nodes[component.index()];
-        let text = format!("{}.{} {what}", node.name, node.work.map_or("", |work| work.name));
-        lock(&self.control).tell_all(&Message::Happened(self.now.as_micros(), "work".into(), text.into()));
+        let name = format!("{}.{}", node.name, node.work.map_or("", |work| work.name));
+        let message = Message::Happened(self.now.as_micros(), JOB.into(), event.detail(&name).into());
+        lock(&self.control).tell_all(&message);
     }
 
     /// Sends the true state of the world after the last cycle to the monitors for whom it is due. The loop calls it after each
@@ -120,11 +122,11 @@ impl<R: Robot> Probe for LinkObserver<R> {
 
     fn work_begun(&mut self, component: ComponentId, due: Instant) {
         let ms = due.saturating_duration_since(self.now).as_millis();
-        self.tell_work(component, &format!("has begun, due in {ms} ms"));
+        self.tell_work(component, JobEvent::Begun(ms));
     }
 
     fn work_ended(&mut self, component: ComponentId, end: JobEnd) {
-        self.tell_work(component, end.text());
+        self.tell_work(component, JobEvent::Ended(end));
     }
 
     fn start(&mut self, component: ComponentId) {

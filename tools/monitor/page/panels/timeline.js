@@ -115,7 +115,7 @@ function list(rows, description, all, filter) {
   const known = new Map(rows.map((row) => [row.component, row]));
   const text = filter.trim().toLowerCase();
   return description.components
-    .map((component, index) => ({ component, index, own: index, bars: known.get(index)?.bars ?? [], overruns: known.get(index)?.overruns ?? [] }))
+    .map((component, index) => ({ component, index, own: index, bars: known.get(index)?.bars ?? [], overruns: known.get(index)?.overruns ?? [], jobs: known.get(index)?.jobs ?? [] }))
     .filter(({ component, bars }) => (all || text !== '' || bars.length > 0) && component.name.toLowerCase().includes(text));
 }
 
@@ -123,8 +123,9 @@ function list(rows, description, all, filter) {
 function sideBySide(own, others, { all, differing }) {
   const beside = (line) => others.flatMap(({ of, shift, place, rows }) => {
     const index = of.find(line.component.name);
-    const bars = rows.find((row) => row.component === index)?.bars ?? [];
-    return index < 0 ? [] : [{ ...line, component: of.description.value.components[index], own: index, of, place, overruns: [], bars: bars.map(([begin, end, state]) => [begin - shift, end - shift, state]) }];
+    const { bars = [], jobs = [] } = rows.find((row) => row.component === index) ?? {};
+    const moved = (time) => time && time - shift;
+    return index < 0 ? [] : [{ ...line, component: of.description.value.components[index], own: index, of, place, overruns: [], jobs: jobs.map(([begin, due, end, how]) => [moved(begin), moved(due), moved(end), how]), bars: bars.map(([begin, end, state]) => [moved(begin), moved(end), state]) }];
   });
   const groups = own.map((line) => [line, ...beside(line)]);
   return groups.filter((group) => (all || group.some(({ bars }) => bars.length > 0)) && (!differing || group.some((one) => !isSame(group[0], one)))).flat();

@@ -36,7 +36,9 @@ pub use source_file::{
     SourceUse, StatePosition,
 };
 pub use source_request::{DrawingFormat, KeepSide, MovedState, SourcePlace, SourceRequest};
-pub use state::{Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, LogLine, Moment, OutputSample, Row};
+pub use state::{
+    Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, Job, LogLine, Moment, OutputSample, Row,
+};
 pub use to_page::{Failed, ToPage};
 pub use watch::{Watch, WatchImages, WatchOutput};
 pub use world::{World, WorldOption};

@@ -1,6 +1,6 @@
 //! State of a robot at a time, and over time.
 
-use bica::Hold;
+use bica::{Hold, JobEnd};
 use bica_link::Shown;
 use bica_wire::message::{ComponentState, LogSource};
 use serde::Serialize;
@@ -134,7 +134,23 @@ pub struct Row {
     pub bars: Vec<Bar>,
     /// Times of overruns, µs.
     pub overruns: Vec<u64>,
+    /// Jobs beside the loop.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub jobs: Vec<Job>,
 }
+
+/// A job of a component; a list in JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Job(
+    /// Begin, µs.
+    pub u64,
+    /// Due time, µs.
+    pub u64,
+    /// End, µs; none if it is in progress, or was dropped and no other one was begun.
+    pub Option<u64>,
+    /// How it ended; none if it was dropped or is in progress.
+    pub Option<JobEnd>,
+);
 
 /// An interval in which a component was active in one state; a list in JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

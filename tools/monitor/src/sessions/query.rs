@@ -17,7 +17,12 @@ impl Session {
         match *request {
             Request::At { time_us, ref outputs, image } => self.at(page, id, time_us, outputs, image),
             Request::Timeline { from_us, until_us, resolution_us } => {
-                Ok(json!(self.shared().history.rows(from_us, until_us, resolution_us)))
+                let tree = self.description()?;
+                let shared = self.shared();
+                let mut rows = shared.history.rows(from_us, until_us, resolution_us);
+                let jobs = shared.history.jobs(&tree, from_us, until_us, resolution_us);
+                rows.iter_mut().zip(jobs).for_each(|(row, jobs)| row.jobs = jobs);
+                Ok(json!(rows))
             }
             Request::Series { component, output, from_us, until_us, points } => {
                 let points = points.min(MAX_POINTS);

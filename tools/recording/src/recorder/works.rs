@@ -1,6 +1,7 @@
 //! Jobs beside the loop as events of a recording.
 
 use bica::{ComponentId, Instant};
+use bica_link::{JOB, JobEvent};
 use bica_wire::model::Description;
 
 use crate::message::RunEvent;
@@ -26,6 +27,6 @@ impl Works {
         let name = self.names.get(component.index()).map_or("", String::as_str);
         let ms = due.saturating_duration_since(self.now).as_millis();
         let at_ns = self.now.as_micros().saturating_mul(1000);
-        RunEvent { at_ns, kind: "work".to_owned(), detail: format!("{name} has begun, due in {ms} ms") }
+        RunEvent { at_ns, kind: JOB.to_owned(), detail: JobEvent::Begun(ms).detail(name) }
     }
 }

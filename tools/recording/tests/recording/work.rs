@@ -8,7 +8,7 @@ use bica::Instant;
 use bica::prelude::*;
 use bica::runner::workers::{Pace, Workers};
 use bica_recording::{
-    Header, ImagePolicy, Recorder, RecorderOptions, ReplayOptions, RequestRecord, SetUp, Subject, replay,
+    Header, ImagePolicy, Info, Recorder, RecorderOptions, ReplayOptions, RequestRecord, SetUp, Subject, replay,
 };
 
 use crate::replay::Temporary;
@@ -91,11 +91,19 @@ fn a_replay_has_each_result_in_its_recorded_cycle() {
 
 #[test]
 fn a_recording_tells_begins_and_ends_of_jobs() {
-    let (cycles, _) = cycles(&recorded(Pace::Simulated)[..]);
+    let bytes = recorded(Pace::Simulated);
+    let (cycles, _) = cycles(&bytes[..]);
     let begun = &cycles.iter().find(|cycle| !cycle.events.is_empty()).expect("a job has begun").events[0];
     assert_eq!((&*begun.kind, &*begun.detail), ("work", "Planner.search has begun, due in 20 ms"));
     let component = Planning::id::<Planner>();
     let is_end = |request: &RequestRecord, end| *request == RequestRecord::Ended { component, end };
     assert!(cycles[2].requests.iter().any(|request| is_end(request, bica::JobEnd::OnTime)));
-    assert!(cycles.iter().flat_map(|cycle| &cycle.requests).any(|request| is_end(request, bica::JobEnd::Failed)));
+    let count =
+        |end| cycles.iter().flat_map(|cycle| &cycle.requests).filter(|request| is_end(request, end)).count() as u64;
+    let jobs = Info::read(&bytes[..]).expect("a recording").jobs;
+    let counts = jobs["Planner.search"];
+    assert!(jobs.len() == 1 && count(bica::JobEnd::Failed) > 0);
+    let begun = cycles.iter().map(|cycle| cycle.events.len() as u64).sum();
+    let expected = [begun, count(bica::JobEnd::OnTime), count(bica::JobEnd::Late), count(bica::JobEnd::Failed)];
+    assert_eq!([counts.begun, counts.on_time, counts.late, counts.failed], expected);
 }

@@ -15,6 +15,8 @@ const [EVENTS, OVERRUNS, ALERTS] = [18, 16, 18];
 const [TOP, LEAST] = [3, 14];
 /** Width of a column of late cycles, px. */
 const COLUMN = 4;
+/** Height of a job, px. */
+const JOB = 4;
 
 export function drawTimeline(context, view, { shown, pointer, selection }) {
   drawRows(context, view, shown, pointer);
@@ -54,7 +56,7 @@ function drawRows(context, view, shown, pointer) {
   const kinds = shown.kinds.value;
   context.font = `${Math.min(11.5, row - 2)}px ${css('--font')}`;
   context.textBaseline = 'middle';
-  within(context, 0, TOP, width, room - TOP, () => rows.forEach(({ component, index, own, of = shown, place, bars }, line) => {
+  within(context, 0, TOP, width, room - TOP, () => rows.forEach(({ component, index, own, of = shown, place, bars, jobs }, line) => {
     const y = view.y(line);
     if (y + row < 0 || y > room) return;
     const colour = kindColour(kinds[index]);
@@ -70,6 +72,7 @@ function drawRows(context, view, shown, pointer) {
     const live = place === undefined ? of.live.value : null;
     within(context, LABELS, y, width - LABELS, row, () => {
       drawBars(context, view, { bars, component, colour, y, now: live?.components?.[own], last: live?.time_us });
+      drawJobs(context, view, jobs, y);
     });
   }));
   context.strokeStyle = css('--line');
@@ -96,6 +99,32 @@ function drawBars(context, view, { bars, component, colour, y, now, last }) {
       context.fillText(text, left + 6, y + row / 2);
     }
   });
+}
+
+/** End of a job that is in progress or was dropped: at the latest now. */
+const endOf = ([, due, end]) => end ?? Math.min(due, newest.value);
+
+/** Draws jobs beside the loop at the lower edge of a row: what is later than due, and what has failed, has another colour. */
+function drawJobs(context, view, jobs, y) {
+  const bar = (from, until, colour) => {
+    const [left, right] = [Math.max(view.x(from), LABELS), Math.min(view.x(until), view.width)];
+    if (right < LABELS || left > view.width) return;
+    context.fillStyle = css(colour);
+    context.fillRect(left, y + view.row - JOB - 1, Math.max(right - left - 1, 1.5), JOB);
+  };
+  for (const job of jobs) {
+    const [begin, due, , how] = job;
+    bar(begin, Math.min(due, endOf(job)), how === 'failed' ? '--error' : '--text');
+    if (endOf(job) > due) bar(due, endOf(job), how === 'failed' ? '--error' : '--warn');
+  }
+}
+
+const ENDS = { on_time: '', late: ', late', failed: ', failed' };
+
+/** Words for the job of a row at a time. */
+function jobAt({ component, jobs }, time) {
+  const job = jobs.findLast((one) => one[0] <= time && time <= endOf(one));
+  return job && `job ${component.work?.name ?? ''} of ${duration(job[1] - job[0])}: ${duration(endOf(job) - job[0])}${ENDS[job[3]] ?? (job[2] ? ', dropped' : ', in progress')}`;
 }
 
 /** As much of a name as fits; nothing below three letters. */
@@ -273,7 +302,7 @@ function drawPointer(context, view, shown, { x, y }) {
   const near = events(shown).find((event) => Math.abs(view.x(event.time_us) - x) < 5 || (y > view.room && within(spanOf(event.text))));
   const alert = [...findings.value].find(([, { fired }]) => fired.some((at) => Math.abs(view.x(at) - x) < 5))?.[0];
   const gap = shown.info.value.gaps.find(([begin, end]) => begin < time && time < end);
-  const text = [timeText(time, 3), alert && `watch fired: ${alert}`, near?.text, gap ? 'not received: the connection was lost' : line && (bar ? `${line.of ? `${line.of.info.value.name}, ` : ''}${line.component.name}${state ? `: ${state}` : ''}, ${duration(bar[1] - bar[0])}` : `${line.of ? `${line.of.info.value.name}, ` : ''}${line.component.name}: latent`)].filter(Boolean).join(' · ');
+  const text = [timeText(time, 3), alert && `watch fired: ${alert}`, near?.text, gap ? 'not received: the connection was lost' : line && (bar ? `${line.of ? `${line.of.info.value.name}, ` : ''}${line.component.name}${state ? `: ${state}` : ''}, ${duration(bar[1] - bar[0])}` : `${line.of ? `${line.of.info.value.name}, ` : ''}${line.component.name}: latent`), line && jobAt(line, time)].filter(Boolean).join(' · ');
   context.font = `11.5px ${css('--font')}`;
   const width = context.measureText(text).width + 14;
   const left = Math.min(x + 10, view.width - width - 4);

@@ -1,6 +1,7 @@
 //! History of a session.
 
 mod images;
+mod jobs;
 mod outputs;
 mod part;
 mod states;

@@ -80,7 +80,8 @@ impl History {
         let finish = |(component, mut row): (usize, Drawing)| {
             row.close(end);
             row.bars.retain(|bar| bar.1 > bar.0);
-            Row { component, bars: row.bars, overruns: self.overruns(component, begin, end, resolution_us) }
+            let overruns = self.overruns(component, begin, end, resolution_us);
+            Row { component, bars: row.bars, overruns, jobs: Vec::new() }
         };
         rows.into_iter().enumerate().map(finish).collect()
     }
