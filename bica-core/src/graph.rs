@@ -2,9 +2,11 @@
 
 mod doc;
 mod hash;
+mod query;
 
 pub use doc::Doc;
 pub use hash::hash;
+pub use query::{Queries, Query, QueryKind};
 
 use crate::id::ComponentId;
 use crate::key::Key;
@@ -82,8 +84,8 @@ pub struct Node {
     pub states: &'static [State],
     /// The transitions, in the order in which they are evaluated; one entry for each state that it leaves.
     pub transitions: &'static [Transition],
-    /// Whether functions of transitions take results of children.
-    pub takes_outcomes: bool,
+    /// Components of which it asks the age or the outcome.
+    pub queries: Queries,
     /// The parameters, one group for each struct. A [`Setting`](crate::Setting) counts them through all groups.
     pub params: &'static [ParamGroup],
     /// The outputs: what an operator may look at.
@@ -117,7 +119,7 @@ impl Node {
             links: &[],
             states: &[],
             transitions: &[],
-            takes_outcomes: false,
+            queries: Queries::new(&[]),
             params: &[],
             outputs: &[],
             modulations: &[],

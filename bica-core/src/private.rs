@@ -6,7 +6,10 @@ pub use crate::action::{Action, Actions, Outcome};
 pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
 pub use crate::found::Found;
-pub use crate::graph::{Doc, End, Graph, InForce, Link, LinkKind, Node, Roles, State, Transition, When, WorkFunction};
+pub use crate::graph::{
+    Doc, End, Graph, InForce, Link, LinkKind, Node, Queries, Query, QueryKind, Roles, State, Transition, When,
+    WorkFunction,
+};
 pub use crate::marked::{Marked, Of, Unfit};
 pub use crate::modulation::{Modulation, assert_arguments};
 pub use crate::output::{Output, OutputSink};

@@ -1,9 +1,9 @@
 //! Drawings of a tree and of its state machines for other programs, written without a heap.
 //!
-//! | What | For | Requirement | Modulation |
-//! |---|---|---|---|
-//! | [`Graph::dot`], [`Node::dot`] | Graphviz | dashed | solid |
-//! | [`Graph::mermaid`], [`Node::mermaid`] | Mermaid, which many Markdown viewers draw | dashed | solid |
+//! | What | For | Requirement | Modulation | Age or outcome |
+//! |---|---|---|---|---|
+//! | [`Graph::dot`], [`Node::dot`] | Graphviz | dashed | solid | dotted, to a dot |
+//! | [`Graph::mermaid`], [`Node::mermaid`] | Mermaid, which many Markdown viewers draw | dashed | solid | dashed, to a dot |
 //!
 //! In the drawings of a tree a link that does not hold in all states of its component is labelled with those in which it
 //! does, and with the roles by which it is written; links with the same ends and kind are one arrow. Names and docs may hold any

@@ -6,6 +6,8 @@ use core::iter::FusedIterator;
 use bica_core::Place;
 #[cfg(feature = "std")]
 use bica_core::action::Action;
+#[cfg(feature = "std")]
+use bica_core::check::writers;
 use bica_core::graph::{self, Graph, LinkKind, Node};
 #[cfg(feature = "std")]
 use bica_core::graph::{Roles, WorkFunction};
@@ -37,6 +39,8 @@ pub const fn describe(graph: &Graph) -> GraphItems<'_> {
         #[cfg(feature = "std")]
         roles: (Roles::NONE, 0),
         #[cfg(feature = "std")]
+        others: None,
+        #[cfg(feature = "std")]
         kind: None,
         #[cfg(feature = "std")]
         work: None,
@@ -67,6 +71,9 @@ pub struct GraphItems<'g> {
     /// Roles of the last link, and the index among the tree's roles from which the search for the next one continues.
     #[cfg(feature = "std")]
     roles: (Roles, usize),
+    /// Number of the queries and writers of the last component that were listed; `None` after the last of them.
+    #[cfg(feature = "std")]
+    others: Option<usize>,
     /// Type of the last component.
     #[cfg(feature = "std")]
     kind: Option<&'static str>,
@@ -161,6 +168,21 @@ impl GraphItems<'_> {
         found.map(|role| GraphItem::Role { name: self.graph.roles[role] })
     }
 
+    /// Returns the next query or writer of the last component.
+    fn other(&mut self) -> Option<GraphItem<'static>> {
+        let (listed, component) = (self.others.take()?, self.index - 1);
+        let queries = self.graph.nodes[component].queries.distinct();
+        let queries = queries.map(|query| GraphItem::Query { of: query.of as u16, kind: query.kind });
+        let writers = writers(self.graph, component);
+        let writers = writers.iter().flat_map(|writers| {
+            let writer = |of| GraphItem::Writer { by: of as u16, in_force: of == writers.in_force() };
+            writers.order.iter().map(writer)
+        });
+        let item = queries.chain(writers).nth(listed);
+        self.others = item.is_some().then_some(listed + 1);
+        item
+    }
+
     fn action(&mut self) -> Option<GraphItem<'static>> {
         let (Action { call, moves }, rest) = self.actions.split_first()?;
         (self.actions, self.doc, self.arguments) = (rest, call.doc, call.arguments);
@@ -183,6 +205,10 @@ impl GraphItems<'_> {
         #[cfg(feature = "std")]
         if let Some(role) = self.role() {
             return Some(role);
+        }
+        #[cfg(feature = "std")]
+        if let Some(other) = self.other() {
+            return Some(other);
         }
         #[cfg(feature = "std")]
         if let Some(kind) = self.kind.take() {
@@ -236,7 +262,7 @@ impl GraphItems<'_> {
                 self.doc = node.doc;
                 #[cfg(feature = "std")]
                 {
-                    (self.kind, self.work) = (node.kind, node.work);
+                    (self.others, self.kind, self.work) = (Some(0), node.kind, node.work);
                 }
                 let root = self.graph.root == self.index;
                 return Some(GraphItem::Component { index, name, hz, budget_us, root, resume });

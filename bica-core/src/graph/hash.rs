@@ -9,7 +9,7 @@ use crate::params::{Kind, Param};
 /// The function of work counts if there is one: its name, and whether it runs in slices. So does `writers = last`.
 ///
 /// What changes no meaning of an index is left out: doc comments, `tunable`, budgets, defaults and ranges of parameters, what transitions
-/// carry, whose results they take, which states have a `#[before]`, roles, whether a modulation is a stop, and the time that work takes. So
+/// carry, which ages and outcomes are asked, which states have a `#[before]`, roles, whether a modulation is a stop, and the time that work takes. So
 /// programs of one tree with other default values have one hash.
 #[must_use]
 pub const fn hash(graph: &Graph) -> u64 {

@@ -19,6 +19,10 @@ pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
     }
     for (from, node) in graph.nodes.iter().enumerate() {
         arrows(node).try_for_each(|to| arrow(f, graph, from, to))?;
+        node.queries.distinct().try_for_each(|query| {
+            let (to, word) = (query.of, query.kind.word());
+            writeln!(f, "  n{from} -> n{to} [style=dotted, arrowhead=odot, constraint=false, label={word}];")
+        })?;
     }
     f.write_str("}\n")
 }

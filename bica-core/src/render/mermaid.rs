@@ -13,6 +13,8 @@ pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
     }
     for (from, node) in graph.nodes.iter().enumerate() {
         arrows(node).try_for_each(|to| arrow(f, graph, from, to))?;
+        let mut queries = node.queries.distinct();
+        queries.try_for_each(|query| writeln!(f, "  n{from} -.-o|\"{}\"| n{}", query.kind.word(), query.of))?;
     }
     writeln!(f, "  style n{} stroke-width:3px", graph.root)
 }

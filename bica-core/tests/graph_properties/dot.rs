@@ -102,7 +102,12 @@ fn check_tree(graph: &Graph) {
         assert_eq!(attributes.contains_key("penwidth"), index == graph.root);
         assert_eq!(attributes.contains_key("peripheries"), !graph.nodes[index].states.is_empty());
     }
-    let arrows: Vec<_> = of_edges(&statements)
+    let (dotted, others): (Vec<_>, Vec<_>) = of_edges(&statements).partition(|(.., a)| a["style"] == "dotted");
+    let queries: Vec<_> = dotted.into_iter().map(|(from, to, a)| (from, to, a["label"].clone())).collect();
+    assert_eq!(queries.len(), drawn::queries(graph).len(), "each query once");
+    assert_eq!(queries.into_iter().collect::<BTreeSet<_>>(), drawn::queries(graph));
+    let arrows: Vec<_> = others
+        .into_iter()
         .map(|(from, to, a)| (from, to, a["style"] == "dashed", a["label"].replace('\n', " ")))
         .collect();
     assert_eq!(arrows.len(), drawn::arrows(graph).len(), "each arrow once");

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use bica_core::check::writers;
-use bica_core::graph::{Graph, LinkKind, Node};
+use bica_core::graph::{Graph, LinkKind, Node, QueryKind};
 
 /// Text as a drawing can show it.
 fn shown(text: &str) -> String {
@@ -32,6 +32,14 @@ pub(crate) fn names(graph: &Graph) -> Vec<String> {
 pub(crate) fn arrows(graph: &Graph) -> BTreeSet<Arrow> {
     let links = graph.nodes.iter().enumerate().flat_map(|(from, node)| node.links.iter().map(move |link| (from, link)));
     links.map(|(from, link)| (from, link.to, link.kind == LinkKind::Requirement, label(graph, from, link))).collect()
+}
+
+/// Queries: from, of, word.
+pub(crate) fn queries(graph: &Graph) -> BTreeSet<(usize, usize, String)> {
+    let all =
+        graph.nodes.iter().enumerate().flat_map(|(from, node)| node.queries.distinct().map(move |one| (from, one)));
+    let word = |kind| if kind == QueryKind::Age { "age" } else { "outcome" };
+    all.map(|(from, query)| (from, query.of, word(query.kind).to_owned())).collect()
 }
 
 fn label(graph: &Graph, from: usize, like: &bica_core::graph::Link) -> String {

@@ -1,6 +1,8 @@
 //! Random graphs.
 
-use bica_core::graph::{Doc, Graph, InForce, Link, LinkKind, Node, Roles, State, Transition};
+use bica_core::graph::{
+    Doc, Graph, InForce, Link, LinkKind, Node, Queries, Query, QueryKind, Roles, State, Transition,
+};
 use proptest::prelude::*;
 
 use crate::graph_properties::build;
@@ -112,7 +114,11 @@ pub(crate) fn special_graph(max: usize) -> impl Strategy<Value = Graph> {
         let mut text = move || text.next().unwrap_or_default();
         let mut figure = figures.into_iter().cycle();
         let mut nodes = graph.nodes.to_vec();
-        for node in &mut nodes {
+        let count = nodes.len();
+        for (index, node) in nodes.iter_mut().enumerate() {
+            let place = after_ms as usize + index;
+            let query = Query { of: place % count, kind: [QueryKind::Age, QueryKind::Outcome][place / 8 % 2] };
+            node.queries = Queries::new(&*vec![query; place % 3].leak());
             (node.name, node.doc, node.resume) = (text(), text(), text().is_empty());
             node.hz = node.hz.and_then(|_| figure.next());
             node.budget_us = node.budget_us.and_then(|_| figure.next());

@@ -36,6 +36,13 @@ fn arrow(line: &str) -> Option<drawn::Arrow> {
     Some((index(from)?, index(to)?, style == "-.", plain(label)))
 }
 
+/// Parses `n0 -.-o|"age"| n1`.
+fn query(line: &str) -> (usize, usize, String) {
+    let words: Vec<&str> = line.trim().split(' ').collect();
+    let index = |word: &str| word[1..].parse().expect("an index");
+    (index(words[0]), index(words[2]), words[1].replace(['-', '.', '|', '"'], "").split_off(1))
+}
+
 /// Parses `n0("name<br/>figures")`, or with `[[` and `]]` for a machine.
 fn component(line: &str) -> Option<(String, String, bool)> {
     let machine = line.contains("[[\"");
@@ -52,7 +59,10 @@ fn check_tree(graph: &Graph) {
     let expected = graph.nodes.iter().zip(drawn::names(graph)).enumerate();
     let expected = expected.map(|(index, (node, name))| (name, drawn::figures(graph, index), !node.states.is_empty()));
     assert_eq!(components.collect::<Vec<_>>(), expected.collect::<Vec<_>>());
-    let arrows = lines.by_ref().take(drawn::arrows(graph).len()).map(|line| arrow(line).expect(line));
+    let drawn = lines.by_ref().take(drawn::arrows(graph).len() + drawn::queries(graph).len());
+    let (queries, others): (Vec<_>, Vec<_>) = drawn.partition(|line| line.contains(" -.-o|\""));
+    assert_eq!(queries.into_iter().map(query).collect::<BTreeSet<_>>(), drawn::queries(graph));
+    let arrows = others.into_iter().map(|line| arrow(line).expect(line));
     assert_eq!(arrows.collect::<BTreeSet<_>>(), drawn::arrows(graph));
     assert_eq!(lines.next(), Some(&*format!("  style n{} stroke-width:3px", graph.root)));
     assert_eq!(lines.next(), None);

@@ -1,6 +1,6 @@
 //! Results of children, transitions on states, and timers that are parameters.
 
-use bica_core::graph::End;
+use bica_core::graph::{End, Query, QueryKind};
 use bica_core::{LoneMachine, Outcome, Value};
 use bica_macros::Params;
 
@@ -184,7 +184,8 @@ fn a_condition_reads_a_result_which_begins_anew() {
     }
     assert_eq!(court.get::<Reach>().calls[7..], ["stop", "start", "go", "there", "there", "there"]);
     assert_eq!(court.of::<Judge>().state_name(), Some("over"));
-    assert_eq!([0, 1].map(|index| Court::GRAPH.nodes[index].takes_outcomes), [true, false]);
+    let asked = [0, 1].map(|index| Court::GRAPH.nodes[index].queries.distinct().collect::<Vec<_>>());
+    assert_eq!(asked, [vec![Query { of: 1, kind: QueryKind::Outcome }], vec![]]);
 }
 
 #[test]

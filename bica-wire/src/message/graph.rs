@@ -1,7 +1,7 @@
 //! The graph of a tree.
 
 use bica_core::Place;
-use bica_core::graph::End;
+use bica_core::graph::{End, QueryKind};
 use bica_core::params::Kind;
 use bica_core::visual::Placement;
 use postcard_schema::Schema;
@@ -190,5 +190,20 @@ pub enum GraphItem<'a> {
     Kind {
         /// The type as the tree lists it.
         name: &'a str,
+    },
+    /// An age or outcome for which the last component asks. A microcontroller sends none.
+    Query {
+        /// Index of the other component.
+        of: u16,
+        /// What is asked.
+        kind: QueryKind,
+    },
+    /// One of several components that write the last component in one cycle, in the order in which they run. A microcontroller sends
+    /// none.
+    Writer {
+        /// Index of the component that writes.
+        by: u16,
+        /// Whether its values are in force.
+        in_force: bool,
     },
 }

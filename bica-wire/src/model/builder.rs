@@ -11,8 +11,8 @@ use bica_core::graph::{Graph, LinkKind, hash};
 use bica_core::params::Kind;
 
 use super::{
-    Component, Description, Link, Modulation, Output, Param, Placement, State, Transition, Variant, Variants, When,
-    Work,
+    Component, Description, Link, Modulation, Output, Param, Placement, Query, State, Transition, Variant, Variants,
+    When, Work, Writer,
 };
 use crate::describe::{GraphItems, describe};
 use crate::message::GraphItem;
@@ -166,9 +166,10 @@ impl Builder {
                 let Last::Link(of) = self.last else { return None };
                 self.description.components.get_mut(of)?.links.last_mut()?.roles.push(name.to_owned());
             }
-            GraphItem::Kind { name } => {
-                let Last::Component(of) = self.last else { return None };
-                self.description.components.get_mut(of)?.kind = Some(name.to_owned());
+            GraphItem::Kind { name } => self.last_component()?.kind = Some(name.to_owned()),
+            GraphItem::Query { of, kind } => self.last_component()?.queries.push(Query { of: of.into(), kind }),
+            GraphItem::Writer { by, in_force } => {
+                self.last_component()?.writers.push(Writer { by: by.into(), in_force });
             }
             GraphItem::Work { name, takes_ms, slices, result } => {
                 let Last::Component(of) = self.last else { return None };
@@ -183,6 +184,12 @@ impl Builder {
             }
         }
         Some(())
+    }
+
+    /// Returns the component, if it is the last item.
+    fn last_component(&mut self) -> Option<&mut Component> {
+        let Last::Component(of) = self.last else { return None };
+        self.description.components.get_mut(of)
     }
 
     /// Adds a variant to the last parameter or argument.

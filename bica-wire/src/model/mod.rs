@@ -13,11 +13,12 @@ mod request;
 mod robot;
 
 use std::borrow::ToOwned;
+use std::format;
 use std::string::String;
 use std::vec::Vec;
 
 pub use bica_core::Axis;
-pub use bica_core::graph::{End, LinkKind};
+pub use bica_core::graph::{End, LinkKind, Query, QueryKind};
 use bica_core::visual;
 pub use builder::Builder;
 pub use invalid::Invalid;
@@ -73,6 +74,12 @@ pub struct Component {
     pub resume: bool,
     /// Activation links from this component.
     pub links: Vec<Link>,
+    /// Ages and outcomes of other components for which it asks.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub queries: Vec<Query>,
+    /// Components that write this one in one cycle, in the order in which they run; empty if never more than one does.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub writers: Vec<Writer>,
     /// States.
     pub states: Vec<State>,
     /// Transitions.
@@ -89,12 +96,32 @@ pub struct Component {
     pub work: Option<Work>,
 }
 
+impl Description {
+    /// Says who writes a component in one cycle, if several do: `written by Avoid, then Follow; in force: Avoid`.
+    #[must_use]
+    pub fn written(&self, component: &Component) -> Option<String> {
+        let name = |writer: &Writer| self.components.get(writer.by).map_or("?", |one| &*one.name);
+        let names: Vec<_> = component.writers.iter().map(name).collect();
+        let in_force = component.writers.iter().find(|writer| writer.in_force).map(name)?;
+        Some(format!("written by {}; in force: {in_force}", names.join(", then ")))
+    }
+}
+
 impl Component {
     /// Returns the type as in the source text.
     #[must_use]
     pub fn type_name(&self) -> &str {
         self.kind.as_deref().unwrap_or(&self.name)
     }
+}
+
+/// One of several components that write another one in one cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Writer {
+    /// Index of the component.
+    pub by: usize,
+    /// Whether its values are in force.
+    pub in_force: bool,
 }
 
 /// A function that runs beside the loop.

@@ -1,14 +1,17 @@
 //! The description of a tree.
 
 use bica_core::action::Action;
-use bica_core::graph::{Doc, End, Graph, Link, LinkKind, Node, Roles, State, Transition, When, WorkFunction};
+use bica_core::graph::{
+    Doc, End, Graph, InForce, Link, LinkKind, Node, Queries, Query, QueryKind, Roles, State, Transition, When,
+    WorkFunction,
+};
 use bica_core::modulation::Modulation;
 use bica_core::output::Output;
 use bica_core::params::{self, Kind, Param, ParamGroup, Variant};
 use bica_core::visual::Placement;
 use bica_core::{Axis, Hint, Place};
 use bica_wire::message::{GraphItem, Value};
-use bica_wire::model::{Builder, Description};
+use bica_wire::model::{Builder, Description, Writer};
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, describe};
 
 const fn state(name: &'static str, initial: bool) -> State {
@@ -88,6 +91,7 @@ static GRAPH: Graph = Graph {
                 ..Transition::new("wakes", 0, 1)
             }],
             kind: Some("Neck<2>"),
+            queries: Queries::new(&[Query { of: 0, kind: QueryKind::Age }; 2]),
             work: Some(&WorkFunction { name: "plan", doc: "Plans.", takes_ms: 200, slices: true, result: "Kick" }),
             ..Node::new("Head")
         },
@@ -106,6 +110,7 @@ fn graph_is_described_once_and_in_order() {
         doc("Two components."),
         GraphItem::Component { index: 0, name: "Eye", hz: None, budget_us: Some(5.0), root: false, resume: false },
         GraphItem::Component { index: 1, name: "Head", hz: Some(30.0), budget_us: None, root: true, resume: false },
+        GraphItem::Query { of: 0, kind: QueryKind::Age },
         GraphItem::Kind { name: "Neck<2>" },
         GraphItem::Work { name: "plan", takes_ms: 200, slices: true, result: "Kick" },
         doc("Plans."),
@@ -177,9 +182,28 @@ fn graph_is_described_once_and_in_order() {
         GraphItem::Variant { name: "Left" },
         GraphItem::Variant { name: "Right" },
         doc("Of the robot."),
-        GraphItem::End { items: 34 },
+        GraphItem::End { items: 35 },
     ];
     assert_eq!(items, expected);
+}
+
+#[test]
+fn several_writers_of_a_component_are_described() {
+    const fn writes(to: usize) -> Link {
+        Link { to, kind: LinkKind::Modulation, state: None, roles: Roles::NONE }
+    }
+    const NODES: [Node; 3] = [
+        Node { links: &[writes(1), writes(2)], ..Node::new("Root") },
+        Node { links: &[writes(2)], ..Node::new("Avoid") },
+        Node { writers: Some(InForce::Last), ..Node::new("Motors") },
+    ];
+    let tree = Description::of(&Graph { root: 0, nodes: &NODES, ..GRAPH });
+    let writers =
+        |in_force: [bool; 2]| vec![Writer { by: 0, in_force: in_force[0] }, Writer { by: 1, in_force: in_force[1] }];
+    assert_eq!(tree.components[2].writers, writers([false, true]));
+    let written = tree.written(&tree.components[2]);
+    assert_eq!(written.as_deref(), Some("written by Root, then Avoid; in force: Avoid"));
+    assert_eq!(tree.written(&tree.components[1]), None);
 }
 
 #[test]

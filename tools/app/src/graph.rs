@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use bica::check::{Choice, Writers, writers};
-use bica::graph::{Graph, When};
+use bica::graph::{Graph, QueryKind, When};
 use bica_drawing::svg;
 use bica_recording::Recordable;
 use bica_wire::model::Description;
@@ -61,7 +61,8 @@ fn notes(graph: &Graph) -> Vec<String> {
     let ends = ends.filter_map(|(index, node, state)| {
         let end =
             state.end.filter(|end| !waits.iter().any(|when| (usize::from(when.child), when.end) == (index, *end)))?;
-        if graph.nodes.iter().any(|node| node.takes_outcomes && node.links.iter().any(|link| link.to == index)) {
+        let mut queries = graph.nodes.iter().flat_map(|node| node.queries.distinct());
+        if queries.any(|query| (query.of, query.kind) == (index, QueryKind::Outcome)) {
             return None;
         }
         let (name, state, word) = (node.name, state.name, end.word());

@@ -1,19 +1,21 @@
 //! Activation trees as SVG: the root at the top, inputs and outputs at the bottom.
 //!
-//! A box has the colour of the kind of its component. Requirement links are dashed, modulation links are solid. Text
-//! outside the boxes is grey, so that it can be read on white and on black.
+//! A box has the colour of the kind of its component. Requirement links are dashed, modulation links are solid; a query, for an age or
+//! an outcome, is dotted and ends with a ring. Text outside the boxes is grey, so that it can be read on white and on black.
 
 use std::fmt::Write;
 
 use bica_wire::model::{Component, Description, LinkKind};
 
-use crate::layout::{Kind, Point, Rectangle, Tree, links, path};
+use crate::layout::{Kind, Point, Rectangle, Tree, add_queries, links, path};
 
 #[cfg(test)]
 pub(crate) mod tests;
 
 const GREY: &str = "#7d8590";
 const LEGEND_HEIGHT: f64 = 44.0;
+/// Attributes of the line of a query.
+const DOTTED: &str = " stroke-dasharray=\"1.5 3\" stroke-linecap=\"round\"";
 
 /// Usual width of a drawing, margin around it, and size of a box, px.
 const WIDTH: f64 = 900.0;
@@ -34,11 +36,15 @@ pub fn svg(tree: &Description) -> String {
          text-anchor=\"middle\">\n<title>{}</title>\n",
         escaped(&tree.name)
     );
-    for (link, points) in tree.components.iter().flat_map(|component| &component.links).zip(&drawn.lines) {
+    let mut lines = drawn.lines.iter();
+    for (link, points) in tree.components.iter().flat_map(|component| &component.links).zip(lines.by_ref()) {
         out += &line(link.kind, points, link.to, &drawn);
     }
+    for ((_, of, word), points) in queries(tree).zip(lines) {
+        out += &query(word, points, of, &drawn);
+    }
     for (item, node) in tree.components.iter().enumerate() {
-        out += &component(node, Kind::of(tree, item), &drawn.boxes[item], item == tree.root);
+        out += &component(tree, node, &drawn.boxes[item], (Kind::of(tree, item), item == tree.root));
     }
     out += &legend(tree, width, drawn.height);
     out + "</svg>\n"
@@ -47,21 +53,36 @@ pub fn svg(tree: &Description) -> String {
 /// Places of all boxes and courses of all links.
 fn laid_out(tree: &Description) -> Tree {
     let widths = vec![BOX_WIDTH; tree.components.len()];
-    Tree::new(&links(tree), &widths, (WIDTH, HIGH), (BOX_HEIGHT, BOX_HEIGHT)).cropped(MARGIN)
+    let mut all = links(tree);
+    add_queries(&mut all, queries(tree).map(|(from, of, _)| (from, of)));
+    Tree::new(&all, &widths, (WIDTH, HIGH), (BOX_HEIGHT, BOX_HEIGHT)).cropped(MARGIN)
 }
 
-/// Box with the component's name and rate.
-fn component(node: &Component, kind: Kind, place: &Rectangle, root: bool) -> String {
+/// The queries of all components: who asks, who is asked, and for what.
+fn queries(tree: &Description) -> impl Iterator<Item = (usize, usize, &'static str)> {
+    let of = |(from, node): (usize, &Component)| {
+        node.queries.iter().map(|query| (from, query.of, query.kind.word())).collect::<Vec<_>>()
+    };
+    tree.components.iter().enumerate().flat_map(of)
+}
+
+/// Box with the component's name, its rate, and the number of components that write it in one cycle.
+fn component(tree: &Description, node: &Component, place: &Rectangle, (kind, root): (Kind, bool)) -> String {
     let (x, y) = (place.x, place.y - place.height / 2.0);
     let (fill, border) = kind.colours();
     let (left, thickness) = (x - BOX_WIDTH / 2.0, if root { 3.0 } else { 1.5 });
-    let rate = node.hz.map_or("every cycle".into(), |hz| format!("{hz} Hz"));
+    let mut rate = node.hz.map_or("every cycle".into(), |hz| format!("{hz} Hz"));
+    let mut doc = node.doc.trim().to_owned();
+    if let Some(written) = tree.written(node) {
+        rate += &format!(" · {} writers", node.writers.len());
+        doc += &format!("\n{written}");
+    }
     format!(
         "<g><title>{}</title><rect x=\"{left:.1}\" y=\"{y:.1}\" width=\"{BOX_WIDTH}\" height=\"{BOX_HEIGHT}\" rx=\"7\" \
          fill=\"{fill}\" stroke=\"{border}\" stroke-width=\"{thickness}\"/>\
          <text x=\"{x:.1}\" y=\"{:.1}\" fill=\"#1f2328\"{}>{}</text>\
          <text x=\"{x:.1}\" y=\"{:.1}\" fill=\"#424a53\" font-size=\"10\">{}</text></g>\n",
-        escaped(node.doc.trim()),
+        escaped(doc.trim()),
         y + 17.0,
         fitting(&node.name),
         escaped(&node.name),
@@ -87,6 +108,19 @@ fn line(kind: LinkKind, points: &[Point], to: usize, drawn: &Tree) -> String {
     line + &if drawn.boxes[to].y < first.1 { head(first.0, first.1, 1.0) } else { head(last.0, last.1, -1.0) }
 }
 
+/// The line of a query, with a ring at the component that is asked and its word in a tooltip.
+fn query(word: &str, points: &[Point], of: usize, drawn: &Tree) -> String {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return String::new() };
+    let (at, side) = if drawn.boxes[of].y < first.1 { (first, 1.0) } else { (last, -1.0) };
+    format!(
+        "<g fill=\"none\" stroke=\"{GREY}\"><title>{word}</title><path d=\"{}\" stroke-width=\"1.5\"{DOTTED}/>\
+         <circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"3.5\" stroke-width=\"1.3\"/></g>\n",
+        path(points),
+        at.0,
+        at.1 + 3.5 * side
+    )
+}
+
 /// Arrow head at a box above (`side` 1) or below (`side` -1).
 fn head(x: f64, y: f64, side: f64) -> String {
     let back = 7.0 * side;
@@ -100,6 +134,9 @@ fn legend(tree: &Description, width: f64, top: f64) -> String {
     let mut entries: Vec<(String, &str)> = kinds.map(|kind| (swatch(kind), kind.name())).collect();
     entries.push((sample(" stroke-dasharray=\"5 3\""), "reads (requirement)"));
     entries.push((sample(""), "writes (modulation)"));
+    if queries(tree).next().is_some() {
+        entries.push((sample(DOTTED), "asks for an age or outcome"));
+    }
     let length = |name: &str| 42.0 + 6.3 * name.len() as f64;
     let whole: f64 = entries.iter().map(|(_, name)| length(name)).sum();
     let mut x = (width - whole) / 2.0;

@@ -18,12 +18,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
         Behaviour::Step(_) => Vec::new(),
         Behaviour::Machine(machine) => machine.edges.iter().map(|edge| transition(&p, edge, tuning)).collect(),
     };
-    let outcomes: Vec<_> = component
-        .functions()
-        .flat_map(Function::outcomes)
-        .map(|of| with_end(&p, of, &quote!(::core::option::Option::None)))
-        .collect();
-    let takes_outcomes = !outcomes.is_empty();
+    let queries = component.functions().flat_map(|function| &function.arguments).filter_map(|one| query(&p, one));
     let distinct: TokenStream = component.functions().map(distinct).collect();
     let (written, count) = (visits.written(), visits.len());
     quote! {
@@ -43,7 +38,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
                 }.as_slice(),
                 states: <Self as #p::Component>::STATES,
                 transitions: &[#(#transitions),*],
-                takes_outcomes: { #(let _ = #outcomes;)* #takes_outcomes },
+                queries: #p::Queries::new(&[#(#queries),*]),
                 params: <Self as #p::Component>::PARAMS,
                 outputs: <Self as #p::Component>::OUTPUTS,
                 modulations: <Self as #p::Component>::MODULATIONS,
@@ -88,6 +83,19 @@ fn link(argument: &Argument) -> Option<(TokenStream, &Type)> {
         | Argument::Found(_)
         | Argument::Work(_) => None,
     }
+}
+
+/// The query of an argument that asks for an age or an outcome.
+fn query(p: &TokenStream, argument: &Argument) -> Option<TokenStream> {
+    let (of, kind) = match argument {
+        Argument::Age(of) => {
+            let of = role::child(p, of);
+            (quote!(<__T as #p::Has<#of>>::INDEX), quote!(Age))
+        }
+        Argument::Outcome(of) => (with_end(p, of, &quote!(::core::option::Option::None)), quote!(Outcome)),
+        _ => return None,
+    };
+    Some(quote!(#p::Query { of: #of, kind: #p::QueryKind::#kind }))
 }
 
 fn transition(p: &TokenStream, edge: &Edge, tuning: &Tuning) -> TokenStream {

@@ -27,8 +27,12 @@ const MAX_LINKS: usize = 4 * MAX_COMPONENTS;
 #[must_use]
 pub fn kinds(tree: &Description) -> Vec<Kind> {
     let (count, links) = (tree.components.len(), tree.components.iter().flat_map(|component| &component.links));
-    let is_valid = tree.root < count && count <= MAX_COMPONENTS && links.clone().all(|link| link.to < count);
-    if !is_valid || links.count() > MAX_LINKS {
+    let queries = tree.components.iter().enumerate();
+    let queries = queries.flat_map(|(from, component)| component.queries.iter().map(move |query| (from, query.of)));
+    let are_known =
+        links.clone().all(|link| link.to < count) && queries.clone().all(|(from, of)| of < count && of != from);
+    let is_valid = tree.root < count && count <= MAX_COMPONENTS && are_known;
+    if !is_valid || links.count() + queries.count() > MAX_LINKS {
         return Vec::new();
     }
     (0..count).map(|index| Kind::of(tree, index)).collect()

@@ -1,8 +1,8 @@
 //! Drawings of random graphs: complete, without overlaps, inside their bounds.
 
-use bica_wire::model::{Component, Description, Link, LinkKind, State};
+use bica_wire::model::{Component, Description, Link, LinkKind, Query, QueryKind, State, Writer};
 
-use super::{laid_out, svg};
+use super::{laid_out, queries, svg};
 use crate::layout::{Kind, Rectangle};
 
 /// Linear congruential generator (Knuth's MMIX).
@@ -100,6 +100,30 @@ fn drawing_names_every_component_and_escapes_text() {
         assert!(!drawn.contains("NaN") && !drawn.contains("inf"), "seed {seed}");
         assert_eq!(drawn.matches("<g").count(), drawn.matches("</g>").count());
         assert_eq!(svg(&graph), drawn, "the same picture each time");
+    }
+}
+
+#[test]
+fn queries_are_drawn_and_no_link_leads_upward() {
+    for seed in 0..100 {
+        let mut graph = random(seed, false);
+        let count = graph.components.len();
+        for (from, component) in graph.components.iter_mut().enumerate() {
+            let of = (3 * from + seed as usize) % count;
+            component.queries.extend((of != from).then_some(Query { of, kind: QueryKind::Age }));
+        }
+        let last = count - 1;
+        graph.components[last].writers = [0, last].map(|by| Writer { by, in_force: by == 0 }).to_vec();
+        let (all, drawn) = (queries(&graph).count(), laid_out(&graph));
+        assert_eq!(svg(&graph).matches("<title>age</title>").count(), all, "seed {seed}");
+        assert_eq!(svg(&graph).matches("asks for an age or outcome").count(), usize::from(all > 0));
+        assert!(svg(&graph).contains("every cycle · 2 writers"), "seed {seed}");
+        assert!(drawn.lines.iter().all(|line| line.len() > 1), "seed {seed}: each line has two ends");
+        for (from, link) in
+            graph.components.iter().enumerate().flat_map(|(from, one)| one.links.iter().map(move |to| (from, to)))
+        {
+            assert!(drawn.boxes[from].y < drawn.boxes[link.to].y, "seed {seed}: {from} to {}", link.to);
+        }
     }
 }
 

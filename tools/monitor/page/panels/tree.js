@@ -7,7 +7,7 @@ import { openComponent } from '../lib/dock.js';
 import { command, hovered, selected, session, watch } from '../lib/store.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
 import { carry } from '../vicode/carry.js';
-import { LOW, TALL, drawBox, widthsOf } from './tree/boxes.js';
+import { LOW, SEVERAL, TALL, drawBox, widthsOf, writtenBy } from './tree/boxes.js';
 
 /** Components that a folded one hides: those that the root reaches only through it. */
 function hiddenBy(description, folded) {
@@ -70,12 +70,16 @@ function useDrawing(description, kinds, size) {
   return last.description === description ? last.drawing : null;
 }
 
-/** The layout by the server: {boxes, width, height, lines: path of each link, trunks: number of the trunk of each link}. Components with the same children share one trunk. */
-async function laidOut({ components }, size) {
+/** The ages and outcomes for which components ask: [{from, of, kind}]. */
+const queriesOf = ({ components }) => components.flatMap(({ queries = [] }, from) => queries.map((one) => ({ from, ...one })));
+
+/** The layout by the server: {boxes, width, height, lines: path of each link and then of each query, trunks: number of the trunk of each link}. Components with the same children share one trunk. */
+async function laidOut(description, size) {
+  const { components } = description;
   const children = components.map(({ links }) => [...new Set(links.map(({ to }) => to))].sort((a, b) => a - b).join());
   const names = [...new Set(children)];
   const links = components.flatMap((component, from) => component.links.map(({ to }) => [from, to, names.indexOf(children[from])]));
-  const drawing = await request('arrange', { drawing: { kind: 'tree', widths: widthsOf(components), links, size, heights: [LOW, TALL] } });
+  const drawing = await request('arrange', { drawing: { kind: 'tree', widths: widthsOf(components), links, queries: queriesOf(description).map(({ from, of }) => [from, of]), size, heights: [LOW, TALL] } });
   return { ...drawing, trunks: links.map(([, , trunk]) => trunk) };
 }
 
@@ -121,6 +125,7 @@ function Counts({ shown }) {
 function Drawn({ shown, description, kinds, drawing, search, activeOnly, folded, box, size, visible }) {
   const svg = useRef(null);
   const links = useMemo(() => description.components.flatMap((component, from) => component.links.map((one) => ({ from, ...one }))), [description]);
+  const queries = useMemo(() => queriesOf(description), [description]);
   const [x, y, width, height] = box.value ?? first(drawing, size.value);
 
   useEffect(() => {
@@ -136,6 +141,7 @@ function Drawn({ shown, description, kinds, drawing, search, activeOnly, folded,
   useEffect(() => {
     const boxes = [...svg.current.querySelectorAll('.component')];
     const paths = links.map((_, index) => svg.current.querySelector(`[data-link="${index}"]`));
+    const dotted = [...svg.current.querySelectorAll('.query')];
     return effect(() => {
       if (!visible.value) return;
       const components = shown.moment.value?.components;
@@ -149,6 +155,12 @@ function Drawn({ shown, description, kinds, drawing, search, activeOnly, folded,
           component, now, cost: costs?.components[index], window: costs?.window_us, folded: folded.value.has(index), found: isFound,
           other: text !== '' && !isFound, gone: hidden.has(index) || (activeOnly.value && !now?.[0]),
         });
+      });
+      dotted.forEach((element, index) => {
+        const { from, of } = queries[index];
+        const near = hovered.value === from || hovered.value === of;
+        element.classList.toggle('near', near);
+        element.classList.toggle('gone', hidden.has(from) || hidden.has(of) || folded.value.has(from) || (!components?.[from]?.[0] && !near));
       });
       paths.forEach((element, index) => {
         const { from, to } = links[index];
@@ -198,14 +210,15 @@ function Drawn({ shown, description, kinds, drawing, search, activeOnly, folded,
   };
   return html`<svg class="tree fill" ref=${svg} viewBox=${`${x} ${y} ${width} ${height}`} role="group" aria-label="Activation tree" onFocusIn=${reveal} onWheel=${wheel} onPointerDown=${drag}>
     ${trunksOf(drawing).map((all) => html`<g class=${`wires ${kinds[links[all[0]].from]}`}>${all.map((index) => html`<path class="link" data-link=${index} d=${drawing.lines[index]} />`)}</g>`)}
+    ${queries.map(({ from, kind }, index) => html`<path class=${`query ${kinds[from]}`} d=${drawing.lines[links.length + index]}><title>${kind}</title></path>`)}
     ${description.components.map((component, index) => {
       const { x: centre, y: middle, width: wide, height: tall } = drawing.boxes[index];
       const two = tall >= TALL;
       return html`<g key=${component.name} class=${`component ${kinds[index]}`} transform=${`translate(${centre - wide / 2} ${middle - tall / 2})`} role="button" tabindex=${index === stop ? 0 : -1} aria-label=${component.name}
         aria-pressed=${selected.value === component.name} onClick=${(event) => openComponent(component.name, event.shiftKey)} onPointerDown=${(event) => carry(event, component.name)} onDblClick=${() => fold(index)} onKeyDown=${(event) => key(event, component, index)}
         onPointerEnter=${() => { hovered.value = index; }} onPointerLeave=${() => { hovered.value = null; }}>
-        <title>${component.doc || component.name}${'\n'}Click: show. Shift-click: own tab. Double click or f: fold. Drag onto a state: make it a child.</title>
-        <rect class="frame" width=${wide} height=${tall} rx="5" /><text class="title" x=${wide / 2} y=${two ? 18 : 16.5}>${component.name}<tspan class="now"></tspan></text><text class="sub" x=${wide / 2} y="33"></text>
+        <title>${[component.doc || component.name, writtenBy(description, component)].filter(Boolean).join('\n')}${'\n'}Click: show. Shift-click: own tab. Double click or f: fold. Drag onto a state: make it a child.</title>
+        <rect class="frame" width=${wide} height=${tall} rx="5" /><text class="title" x=${wide / 2} y=${two ? 18 : 16.5}>${component.name}${component.writers ? SEVERAL : ''}<tspan class="now"></tspan></text><text class="sub" x=${wide / 2} y="33"></text>
         <rect class="cost" x="6" y=${tall - 4.5} height="2" width="0" rx="1" /><g class="badge" transform=${`translate(${wide - 34} -9)`}><rect width="42" height="16" rx="8" /><text x="21" y="12"></text></g></g>`;
     })}
   </svg>`;

@@ -6,7 +6,7 @@ import { duration } from '../lib/format.js';
 import { session } from '../lib/store.js';
 import { stage } from './canvas/stage.js';
 import { machine } from './sources.js';
-import { hit, place } from './stops.js';
+import { hit, place, writtenWith } from './stops.js';
 
 /** Times that each way was taken, by session: Map from `component:from:to`. */
 const counts = new Map();
@@ -60,6 +60,7 @@ export function writeLive() {
     const element = stage.elements.get(state.key);
     if (!element) continue;
     const lit = state.name === current;
+    for (const chip of element.querySelectorAll('.link-chip.modulation')) chip.classList.toggle('several', Boolean(writtenWith(chip.dataset.child)));
     element.classList.toggle('lit', lit && Boolean(now[0]));
     element.classList.toggle('resting', lit && !now[0]);
     const still = state.initial ? 'initial' : state.last ? 'last' : '';

@@ -15,6 +15,9 @@ export function parsed(key) {
 
 const links = (owner) => owner.arguments.filter(({ input }) => input === 'link').map(({ kind, child, name }) => ({ kind, child, argument: name.text, by: owner.name.text }));
 
+/** Ages and outcomes for which functions ask, each once: `age of Goal`. */
+const asks = (functions) => [...new Set(functions.flatMap((one) => one.arguments).filter(({ input }) => input === 'age' || input === 'outcome').map(({ input, of }) => `${input} of ${of}`))];
+
 /** Children of several functions, each once; what is written by one of them is a modulation. */
 function children(functions) {
   const found = new Map();
@@ -38,6 +41,7 @@ function stateOf(component, state) {
     end: state.end,
     takes: found?.of ?? null,
     hooks: hooks.map((hook) => ({ name: nameOf(hook), role: hook.role })),
+    asks: asks([state.function, ...hooks.map((hook) => hook.function)]),
     children: children([state.function, ...hooks.map((hook) => hook.function)]),
     function: state.function,
   };
@@ -67,6 +71,7 @@ function arrowsOf(transition, bare) {
       carries: transition.function.carries?.text ?? null,
       docs: bare ? '' : transition.function.docs.text,
       children: bare ? [] : children([transition.function]),
+      asks: bare ? [] : asks([transition.function]),
       function: transition.function,
     }));
   });

@@ -4,10 +4,11 @@ import { computed, signal } from '../lib/dom.js';
 import { listen, request } from '../lib/connection.js';
 import { resolve } from '../lib/curves.js';
 import { numberAt } from '../lib/format.js';
-import { act, ask, notify, operate, seek, session } from '../lib/store.js';
+import { act, ask, command, notify, seek, session } from '../lib/store.js';
 import { stored } from '../lib/stored.js';
+import { writtenBy } from '../panels/tree/boxes.js';
 import { parsed, stateKey } from './machine.js';
-import { component, machine } from './sources.js';
+import { machine } from './sources.js';
 
 /** Breakpoints by session: [{component, state} or {component, transition}], indices of its description. */
 const known = signal(new Map());
@@ -18,6 +19,14 @@ export const stops = computed(() => known.value.get(session.value?.id) ?? []);
 
 /** Index of the shown component in the session; -1 if it has none of the name. */
 export const place = computed(() => (machine.value ? session.value?.description.value?.components.findIndex(({ name, kind }) => (kind ?? name).split('<')[0] === machine.value.component.name.text.split('<')[0]) ?? -1 : -1));
+
+/** Who writes a child of the shown component in one cycle, if several do in the session: `written by Avoid, then Follow; in force: Avoid`. */
+export function writtenWith(child) {
+  const description = session.value?.description.value;
+  const isOf = ({ to, roles = [] }) => (child.startsWith('impl ') ? roles.includes(child.slice(5)) : (description.components[to].kind ?? description.components[to].name) === child);
+  const link = description?.components[place.value]?.links.find((one) => one.kind === 'modulation' && isOf(one));
+  return link && writtenBy(description, description.components[link.to]);
+}
 
 /** Keys in the canvas with a breakpoint. */
 export const stopKeys = computed(() => new Set(stops.value.filter((stop) => stop.component === place.value).flatMap(keysOf)));
@@ -60,12 +69,14 @@ export function toggleStop(key) {
 
 export const clearStops = () => send([]);
 
+/** Whether the shown component runs in a session that can be operated. */
+export const canGo = computed(() => place.value >= 0 && session.value.info.value.can.operate);
+
 /** Makes the running machine go to a state. */
-export async function goTo(key) {
+export function goTo(key) {
   const [found] = stopsOf(key);
-  if (found?.state === undefined) return notify('error', 'no session runs this state', 'open a world, or press Run');
-  if (await operate()) await act('go', found);
-  return undefined;
+  if (!canGo.value || found?.state === undefined) notify('error', 'no session that can be operated runs this state', 'choose a state, and open a world or press Run');
+  else command('go', found);
 }
 
 // ---- conditions

@@ -1,6 +1,6 @@
 //! Drawings that the page wants laid out.
 
-use bica_drawing::layout::{Arrow, LOOKS, Link, Machine, Tree, path};
+use bica_drawing::layout::{Arrow, LOOKS, Link, Machine, Tree, add_queries, path};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -22,6 +22,9 @@ pub enum Arrange {
         widths: Vec<f64>,
         /// Links: from, to, and the number of the trunk with which a link shares its lines.
         links: Vec<(usize, usize, usize)>,
+        /// Queries: from, and of; their lines follow those of the links.
+        #[serde(default)]
+        queries: Vec<(usize, usize)>,
         /// Width and height of the panel.
         size: (f64, f64),
         /// Least and largest height of a component.
@@ -49,10 +52,11 @@ impl Arrange {
     pub fn answer(&self) -> Result<Value, Failed> {
         self.check()?;
         Ok(match self {
-            Self::Tree { widths, links, size, heights } => {
+            Self::Tree { widths, links, queries, size, heights } => {
                 let link =
                     |(from, to, trunk): &(usize, usize, usize)| Link { from: *from, to: *to, trunk: *trunk, side: 0.0 };
-                let links: Vec<Link> = links.iter().map(link).collect();
+                let mut links: Vec<Link> = links.iter().map(link).collect();
+                add_queries(&mut links, queries.iter().copied());
                 let Tree { boxes, lines, width, height } = Tree::new(&links, widths, *size, *heights);
                 let lines: Vec<String> = lines.iter().map(|line| path(line)).collect();
                 json!({ "boxes": boxes, "width": width, "height": height, "lines": lines })
@@ -67,13 +71,15 @@ impl Arrange {
     fn check(&self) -> Result<(), Failed> {
         let is_size = |(width, height): &(f64, f64)| [width, height].iter().all(|one| **one > 0.0 && **one <= MAX_SIZE);
         let is_valid = match self {
-            Self::Tree { widths, links, size, heights } => {
+            Self::Tree { widths, links, queries, size, heights } => {
                 let count = widths.len();
                 let are_links =
                     links.iter().all(|(from, to, trunk)| *from < count && *to < count && *trunk <= links.len());
-                let is_small = count <= MAX_BOXES && links.len() <= MAX_LINKS;
+                let are_queries = queries.iter().all(|(from, of)| *from < count && *of < count && from != of);
+                let is_small = count <= MAX_BOXES && links.len() + queries.len() <= MAX_LINKS;
                 is_small
                     && are_links
+                    && are_queries
                     && widths.iter().all(|one| is_size(&(*one, 1.0)))
                     && is_size(size)
                     && is_size(heights)

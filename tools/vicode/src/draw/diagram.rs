@@ -54,10 +54,14 @@ impl Diagram {
         let node = |(index, (state, parts)): (usize, (&State, &MachineState<&Function>))| {
             let name = state.function.name.text.clone();
             let (hooks, links) = (hooks_of(component, &name), links(Some(index), parts.functions().copied()));
-            let (size, mark) = ((WIDTH, height(hooks.len() + links.len())), marks.states.get(&name).copied());
+            let mut asks: Vec<String> = parts.functions().flat_map(|function| function.asks()).collect();
+            asks.sort();
+            asks.dedup();
+            let lines = hooks.len() + links.len() + asks.len();
+            let (size, mark) = ((WIDTH, height(lines)), marks.states.get(&name).copied());
             let takes = component.takes(&name).map(str::to_owned);
             let (initial, last, end, centre) = (state.initial, state.last, state.end, (0.0, 0.0));
-            Node { name, initial, last, centre, size, takes, end, hooks, links, mark }
+            Node { name, initial, last, centre, size, takes, end, hooks, links, asks, mark }
         };
         let nodes = component.states.iter().zip(&machine.states).enumerate().map(node).collect();
         let mut diagram = Self { name: component.name.text.clone(), nodes, ..Self::default() };

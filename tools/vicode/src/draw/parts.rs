@@ -31,6 +31,8 @@ pub struct Node {
     pub hooks: Vec<String>,
     /// Links of the state and of its hooks, without those of the transitions that leave it.
     pub links: Vec<Link>,
+    /// Ages and outcomes for which the state and its hooks ask.
+    pub asks: Vec<String>,
     /// Mark of the state in a difference; `None` if it is equal.
     pub mark: Option<Change>,
 }
@@ -75,7 +77,8 @@ pub(super) fn hooks_of(component: &Component, state: &str) -> Vec<String> {
     hooks.map(|hook| format!("{} / {}", hook.role.word(), hook.function.name.text)).collect()
 }
 
-/// Formats the name of a transition and what it waits for: `near after 500 ms`, `failed(Reach) 3 times`.
+/// Formats the name of a transition, what it waits for, and for what it asks: `near after 500 ms`, `failed(Reach) 3 times`,
+/// `gives_up (outcome of Reach)`.
 pub(super) fn label(edge: &model::Edge<&Function>) -> String {
     let when = edge.guard.when.as_ref().filter(|_| !edge.guard.bare).map(|when| format!(" {when}"));
     let timer = edge.guard.timer.as_ref().map(|timer| match timer {
@@ -83,7 +86,9 @@ pub(super) fn label(edge: &model::Edge<&Function>) -> String {
         model::Timer::Parameter(timer) => format!(" after {timer}"),
     });
     let times = edge.guard.times.map(|times| format!(" {times} times"));
-    [Some(edge.name()), when, timer, times].into_iter().flatten().collect()
+    let asks: Vec<String> = if edge.guard.bare { Vec::new() } else { edge.condition.asks().collect() };
+    let asks = (!asks.is_empty()).then(|| format!(" ({})", asks.join(", ")));
+    [Some(edge.name()), when, timer, times, asks].into_iter().flatten().collect()
 }
 
 impl Label {
@@ -101,11 +106,12 @@ impl Node {
         titled(&self.name, self.takes.as_deref()) + &end
     }
 
-    /// Returns the lines below the name: hooks, then children; `<` is a requirement, `>` a modulation.
+    /// Returns the lines below the name: hooks, then children; `<` is a requirement, `>` a modulation, `?` an age or outcome.
     #[must_use]
     pub fn lines(&self) -> Vec<String> {
         let mark = |kind| if kind == LinkKind::Requirement { '<' } else { '>' };
         let links = self.links.iter().map(|link| format!("{} {}", mark(link.kind), link.child));
-        self.hooks.iter().cloned().chain(links).collect()
+        let asks = self.asks.iter().map(|asks| format!("? {asks}"));
+        self.hooks.iter().cloned().chain(links).chain(asks).collect()
     }
 }

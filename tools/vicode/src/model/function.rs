@@ -32,6 +32,15 @@ impl Function {
             .find_map(|argument| if let Input::Found { of } = &argument.input { Some(of.as_str()) } else { None })
     }
 
+    /// Returns the ages and outcomes of others for which it asks: `age of Goal`.
+    pub fn asks(&self) -> impl Iterator<Item = String> {
+        self.arguments.iter().filter_map(|argument| match &argument.input {
+            Input::Age { of } => Some(format!("age of {of}")),
+            Input::Outcome { of } => Some(format!("outcome of {of}")),
+            _ => None,
+        })
+    }
+
     /// Returns the links, in the order of the text.
     pub fn links(&self) -> impl Iterator<Item = (&Argument, LinkKind, &str)> {
         self.arguments.iter().filter_map(|argument| match &argument.input {

@@ -59,6 +59,19 @@ fn drawings_show_results_and_retries() {
 }
 
 #[test]
+fn drawings_show_ages_and_outcomes() {
+    let asking = TEXT.replace("fn reach(&mut self, reach", "fn reach(&mut self, age: &Age<impl Ball>, reach").replace(
+        "    #[state]\n",
+        "    #[transition(reach -> wait)]\n    fn stops(&self, reach: &Outcome<Reach>) -> bool { reach.is_failed() }\n\n    #[state]\n",
+    );
+    let model = read(&asking);
+    assert_eq!(model.problems, []);
+    let diagram = Diagram::of(&model.components[0], &Layout::default());
+    assert_eq!(diagram.nodes[0].lines(), ["> Reach", "? age of impl Ball"]);
+    assert!(dot(&model.components[0]).contains("[label=\"stops (outcome of Reach)\"]"));
+}
+
+#[test]
 fn results_are_edited_and_follow_names() {
     let arrow = |edit: &str, more: serde_json::Value| {
         let mut all = json!({"edit": edit, "transition": "reach"});

@@ -3,6 +3,7 @@
 import { html } from '../../lib/dom.js';
 import { duration } from '../../lib/format.js';
 import { openComponent } from '../../lib/dock.js';
+import { writtenBy } from '../tree/boxes.js';
 import { cursor } from '../../lib/store.js';
 import { Answer, Way, blocking, waits } from './answer.js';
 
@@ -19,8 +20,13 @@ export function Why({ shown, component, index }) {
   const reasons = reasonsOf(shown, index, components);
   return html`${waits(component, components[index]) && html`<${Way} ...${{ component, current: components[index][2] }} />`}
     ${component.states.length > 0 && html`<${Machine} ...${{ shown, component, index, active }} />`}
-    <${Activators} ...${{ shown, index, components, active, reasons }} />`;
+    <${Activators} ...${{ shown, index, components, active, reasons }} />
+    ${component.queries && html`<${Asks} components=${shown.description.value.components} queries=${component.queries} />`}`;
 }
+
+/** The components for whose age or outcome it asks. */
+const Asks = ({ components, queries }) => html`<section aria-label="Asks"><h3>Asks</h3>
+  ${queries.map(({ of, kind }) => html`<div class="why"><span>${kind} of </span><button class="name" onClick=${() => openComponent(components[of].name)}>${components[of].name}</button></div>`)}</section>`;
 
 /** States, and the transitions that leave the current one. */
 function Machine({ shown, component, index, active }) {
@@ -77,6 +83,7 @@ function Activators({ shown, index, components, active, reasons }) {
     ${description.root === index && held === 'tree' && html`<div class="why true"><b>It is the root</b> of the tree.</div>`}
     ${reasons.map(({ from, name, why }) => html`<div key=${from} class=${`why ${why.level === 'yes' ? 'true' : why.level === 'no' ? 'false' : ''}`}>
       <button class="name" onClick=${() => openComponent(name)}>${name}</button> <span>${why.text}</span></div>`)}
+    ${description.components[index].writers && html`<p class="dim">In one cycle it is ${writtenBy(description, description.components[index])}.</p>`}
     ${reasons.length === 0 && description.root !== index && html`<p class="dim">No component activates it.</p>`}</section>`;
 }
 

@@ -8,6 +8,8 @@ export const [LOW, TALL] = [26, 44];
 /** Shares of the budget from which the cost is drawn as a warning, and as an error. */
 const [NEAR, OVER] = [0.8, 1];
 const PADDING = 14;
+/** Mark of a component that several others write in one cycle. */
+export const SEVERAL = ' ⇶';
 /** Usual width of a letter of a rate, px. */
 const LETTER = 6.5;
 
@@ -16,13 +18,19 @@ const context = document.createElement('canvas').getContext('2d');
 /** The width of each box: its name and the longest state fit, so that places do not change with states. */
 export function widthsOf(components) {
   const font = getComputedStyle(document.documentElement).fontFamily;
-  return components.map(({ name, states }) => {
+  return components.map(({ name, states, writers }) => {
     context.font = `600 11.5px ${font}`;
-    const own = context.measureText(name).width;
+    const own = context.measureText(name + (writers ? SEVERAL : '')).width;
     context.font = `11.5px ${font}`;
     const longest = Math.max(0, ...states.map((state) => context.measureText(state.name).width + 6));
     return Math.ceil(own + longest + PADDING);
   });
+}
+
+/** Who writes a component in one cycle, if several do, and whose values count. */
+export function writtenBy({ components }, { writers }) {
+  const name = ({ by }) => components[by]?.name;
+  return writers && `written by ${writers.map(name).join(', then ')}; in force: ${name(writers.find((one) => one.in_force) ?? {})}`;
 }
 
 /** Writes the state of a component to its box. */

@@ -37,8 +37,8 @@ export function boxOf(state, level = 1) {
   const takes = state.takes ? cut(` ← ${state.takes}`, WIDTH - 24 - PAD - (state.initial || state.last ? 34 : 0) - widthOf(state.name, 13) * 1.08, 11) : '';
   const box = { takes, docs: docs ? { y: y + 7, text: cut(docs, WIDTH - 2 * PAD, 11) } : null, hooks: [], chips: [] };
   if (docs) y += DOCS;
-  for (const hook of state.hooks) {
-    box.hooks.push({ ...hook, y: y + 9, text: cut(`${hook.role} / ${hook.name}`, WIDTH - 2 * PAD, 11) });
+  for (const line of [...state.hooks.map(({ role, name }) => `${role} / ${name}`), ...state.asks.map((one) => `? ${one}`)]) {
+    box.hooks.push({ y: y + 9, text: cut(line, WIDTH - 2 * PAD, 11) });
     y += HOOK;
   }
   let x = PAD;

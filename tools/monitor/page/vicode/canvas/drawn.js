@@ -75,7 +75,7 @@ const arrowFlags = ({ arrow, chosen, near, found, stop }) => flags('arrow', chos
 
 /** `at` is its place. */
 function State({ state, at: { x, y, width, height, box }, chosen, found, stop }) {
-  const told = [state.initial && 'initial', state.last && (state.end ?? 'last'), state.takes && `takes ${state.takes}`, ...state.hooks.map((hook) => `${hook.role} hook ${hook.name}`), ...state.children.map(({ kind, child }) => `${KIND[kind]} ${child}`)].filter(Boolean).join(', ');
+  const told = [state.initial && 'initial', state.last && (state.end ?? 'last'), state.takes && `takes ${state.takes}`, ...state.hooks.map((hook) => `${hook.role} hook ${hook.name}`), ...state.asks.map((one) => `asks ${one}`), ...state.children.map(({ kind, child }) => `${KIND[kind]} ${child}`)].filter(Boolean).join(', ');
   return html`<g class=${flags('box', chosen && 'chosen', mark(found), state.initial && 'initial', state.last && 'last', stop && 'stopped', state.mark)} data-key=${state.key} data-state=${state.name}
       transform=${`translate(${x - width / 2} ${y - height / 2})`} role="button" tabindex="0" aria-label=${`State ${state.name}`} aria-description=${told} aria-pressed=${chosen}>
     <title>${state.docs || state.name}</title>

@@ -5,11 +5,11 @@ import { widthOf } from './boxes.js';
 /** A timer as it is written at an arrow. */
 const timerText = (ms) => (ms === null ? '' : ms % 1000 === 0 ? `after ${ms / 1000} s` : `after ${ms} ms`);
 
-/** What an arrow waits for beside its condition: `after pause 3 times`. */
-export function waitText({ bare, after_ms: ms, after, when, times }) {
+/** What an arrow waits for beside its condition, and for what it asks: `after pause 3 times (age of Goal)`. */
+export function waitText({ bare, after_ms: ms, after, when, times, asks = [] }) {
   const result = bare ? null : when;
   const timer = after === null ? timerText(ms) : `after ${after.split('::').at(-1)}`;
-  return [result, timer, times !== null && `${times} times`].filter(Boolean).join(' ');
+  return [result, timer, times !== null && `${times} times`, asks.length > 0 && `(${asks.join(', ')})`].filter(Boolean).join(' ');
 }
 
 /** Width of an arrow's name with what it waits for. */

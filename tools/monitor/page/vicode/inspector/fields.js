@@ -5,7 +5,7 @@ import { html, useState } from '../../lib/dom.js';
 import { Field, Toggle } from '../../lib/ui.js';
 import { addChild } from '../canvas/actions.js';
 import { change, offsets } from '../sources.js';
-import { conditionAt, setCondition, stopKeys, toggleStop } from '../stops.js';
+import { conditionAt, setCondition, stopKeys, toggleStop, writtenWith } from '../stops.js';
 
 /** A text, such as a doc comment. */
 export function Docs({ text, label = 'Documentation', onCommit }) {
@@ -32,7 +32,7 @@ export function Children({ owner, arguments: all, state }) {
   return html`<section aria-label="Children"><h3>Children</h3>
     ${links.map(({ child, kind }) => html`<div class="child" key=${child}><span class=${`link-name to-${kind}`}>${child}</span>
       <select aria-label=${`Link to ${child}`} onChange=${(event) => change({ edit: 'set_child_kind', function: owner, child, kind: event.target.value })}>${KINDS.map(([value, text]) => html`<option value=${value} selected=${value === kind}>${text}</option>`)}</select>
-      <button class="small" aria-label=${`Remove ${child}`} onClick=${() => change({ edit: 'remove_child', function: owner, child })}>×</button></div>`)}
+      <button class="small" aria-label=${`Remove ${child}`} onClick=${() => change({ edit: 'remove_child', function: owner, child })}>×</button></div>${writtenWith(child) && html`<p class="dim">${writtenWith(child)}</p>`}`)}
     ${links.length === 0 && html`<p class="dim">None${state ? ': drag a component here onto the state' : ''}.</p>`}
     <button class="small" onClick=${() => addChild(owner)}>Add a child…</button></section>`;
 }
