@@ -59,6 +59,17 @@ function Head({ shown, component, index, own }) {
   </header>`;
 }
 
+/** Makes an active machine go to a state; one that takes what a transition found cannot be entered by hand. */
+function GoTo({ component, index, active }) {
+  const go = ({ currentTarget }) => {
+    command('go', { component: index, state: Number(currentTarget.value) });
+    currentTarget.value = '';
+  };
+  const takes = (state) => component.transitions.some(({ to, carries }) => to === state && carries);
+  return html`<select aria-label=${`State to which ${component.name} goes`} title=${active ? 'With the exit and entry hooks of a transition' : 'A latent machine goes to no state'} disabled=${!active} onChange=${go}>
+    <option value="">go to…</option>${component.states.map(({ name }, state) => html`<option value=${state} disabled=${takes(state)}>${name}</option>`)}</select>`;
+}
+
 function ByHand({ shown, component, index }) {
   const can = shown.info.value.can.operate;
   const now = shown.moment.value?.components?.[index];
@@ -76,6 +87,7 @@ function ByHand({ shown, component, index }) {
   return html`<section aria-label="By hand"><h3>By hand</h3>
     <div class="row"><span>hold</span><div class="segments" role="radiogroup" aria-label=${`Hold ${component.name}`}>${HOLDS.map(([kind, title]) => html`
       <button role="radio" aria-checked=${now?.[1] === kind} class=${now?.[1] === kind ? 'on' : ''} disabled=${!can} onClick=${() => hold(kind)}>${title}</button>`)}</div></div>
+    ${can && component.states.length > 0 && html`<div class="row"><span>state</span><${GoTo} ...${{ component, index, active: now?.[0] }} /></div>`}
     ${component.hz !== null && html`<div class="row"><span>rate</span>
       <input type="range" min=${step} max=${most} step=${step} disabled=${!can} aria-label=${`Rate of ${component.name}`} value=${rate.value ?? wanted}
         onInput=${(event) => { rate.value = Number(event.target.value); }} onChange=${(event) => setRate(Number(event.target.value))} />

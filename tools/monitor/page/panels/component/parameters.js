@@ -2,7 +2,7 @@
 
 import { html, useSignal, useState } from '../../lib/dom.js';
 import { openSources } from '../../lib/dock.js';
-import { exact, niceStep, number, typedNumber, words } from '../../lib/format.js';
+import { exact, niceStep, typedNumber, words } from '../../lib/format.js';
 import { act, cursor, hello, notify, redo, redoParams, setParams, undo, undoParams } from '../../lib/store.js';
 import { jump } from '../../vicode/problems.js';
 
@@ -19,7 +19,7 @@ export function Parameters({ shown, component, index }) {
       ${component.params.length > 8 && html`<button class=${`small ${onlyChanged.value ? 'on' : ''}`} role="switch" aria-checked=${onlyChanged.value} onClick=${() => { onlyChanged.value = !onlyChanged.value; }}>changed only</button>`}</h3>
     ${!shown.description.value.tunable && html`<p class="dim">This tree was built without <code>tunable</code>: its parameters are constants.</p>`}
     ${listed.map(({ param, number }) => html`<${Parameter} key=${param.name} ...${{ param, component: index, number, actual: actual[number], can }} />`)}
-    ${changed.length > 0 && html`<${Save} ...${{ shown, component, index, changed, can, reset }} />`}
+    ${changed.length > 0 && html`<${Save} ...${{ shown, index, changed, can, reset }} />`}
     ${undo.value.length + redo.value.length > 0 && html`<p class="save"><button class="small" disabled=${undo.value.length === 0} onClick=${undoParams} title="Key u">Undo last change</button><button class="small" disabled=${redo.value.length === 0} onClick=${redoParams} title="Key U">Redo</button></p>`}
   </section>`;
 }
@@ -95,7 +95,7 @@ function Control({ param, value, can, send, wanted }) {
       onInput=${(event) => { typed.value = event.target.value; }} onBlur=${commit} onKeyDown=${keys} /> <span class="unit">${param.unit ?? ''}</span></span>`;
 }
 
-function Save({ shown, component, index, changed, can, reset }) {
+function Save({ shown, index, changed, can, reset }) {
   const name = useSignal(shown.info.value.kind === 'world' ? shown.info.value.name.split(/[ ,]/)[0] : 'robot');
   const diff = useSignal(null);
   const tune = () => act('save_tune', { params: changed.map((param) => [index, param]), name: name.value }, `saved to the tune file ${name.value}.toml`);

@@ -10,7 +10,7 @@ import { stage } from '../canvas/stage.js';
 import { focusCode } from '../focus.js';
 import { freeName } from '../machine.js';
 import { change } from '../sources.js';
-import { goTo, place } from '../stops.js';
+import { canGo, goTo } from '../stops.js';
 import { Body, Children, Docs, Name, Stop, addHook } from './fields.js';
 
 export function StateFields({ state, machine }) {
@@ -25,7 +25,7 @@ export function StateFields({ state, machine }) {
       <${Toggle} on=${state.last && !state.end} label="Last" title="No transition leaves it" onChange=${(last) => change({ edit: 'set_last', state: name, last })} />
       ${['done', 'failed'].map((end) => html`<${Toggle} key=${end} on=${state.end === end} label=${end} title=${`The machine ends here: ${end}`} onChange=${(on) => change({ edit: 'set_end', state: name, end: on ? end : null })} />`)}
       <${Stop} of=${state.key} title="Stop when it is entered (b)" />
-      <button disabled=${place.value < 0} onClick=${() => goTo(state.key)} title="The running machine goes to this state (G)">Go there</button>
+      ${canGo.value && html`<button onClick=${() => goTo(state.key)} title="The running machine goes to this state (G)">Go there</button>`}
       <button onClick=${() => { openPanel('code'); focusCode(); }} title="Enter in the canvas">Edit code</button></div>
     <${Children} owner=${name} arguments=${state.function.arguments} state=${true} />
     <section aria-label="Hooks"><h3>Hooks</h3>

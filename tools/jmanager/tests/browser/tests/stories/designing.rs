@@ -1,7 +1,6 @@
 //! Stories of the designer: a machine is drawn, its code is written, and the file contains both.
 
 use std::fs;
-use std::path::Path;
 
 use jmanager_browser::{Folder, Page, Server, repository};
 use serde_json::json;

@@ -11,6 +11,7 @@ mod finding;
 mod firmware;
 mod geometry;
 mod glance;
+mod going;
 mod hour;
 mod looks;
 mod moments;
