@@ -74,8 +74,8 @@ fn component(tree: &Description, node: &Component, place: &Rectangle, (kind, roo
     let mut rate = node.hz.map_or("every cycle".into(), |hz| format!("{hz} Hz"));
     let mut doc = node.doc.trim().to_owned();
     if let Some(written) = tree.written(node) {
-        rate += &format!(" · {} writers", node.writers.len());
-        doc += &format!("\n{written}");
+        write!(rate, " · {} writers", node.writers.len()).expect("a string grows");
+        doc = format!("{doc}\n{written}");
     }
     format!(
         "<g><title>{}</title><rect x=\"{left:.1}\" y=\"{y:.1}\" width=\"{BOX_WIDTH}\" height=\"{BOX_HEIGHT}\" rx=\"7\" \

@@ -79,11 +79,13 @@ impl Draft<'_> {
         // x and bundle of all upright lines of each corridor, from left to right.
         let mut lines: Vec<Vec<(f64, usize)>> = vec![Vec::new(); self.rows.len() + 1];
         for way in &self.ways {
-            for corridor in way.first..way.first + way.xs.len().max(2) - 1 {
-                lines[corridor].extend(way.uprights(corridor).iter().map(|x| (*x, way.bundle)));
+            for (at, all) in lines[way.first..].iter_mut().enumerate().take(way.xs.len().max(2) - 1) {
+                all.extend(way.uprights(way.first + at).iter().map(|x| (*x, way.bundle)));
             }
         }
-        lines.iter_mut().for_each(|all| all.sort_by(|a, b| a.0.total_cmp(&b.0)));
+        for all in &mut lines {
+            all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        }
         for port in ports {
             let (bundle, all) = (self.ways[port.ends[0].0].bundle, &mut lines[port.corridor]);
             let (x, within) = (self.end(port.ends[0]), &self.boxes[port.state]);
