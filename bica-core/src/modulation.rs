@@ -3,6 +3,9 @@
 //! `#[modulation(stop)]` declares a *stop*: after the call the tree, left to itself, moves the robot no more until a person starts it
 //! again. A stop takes no arguments. A server applies it without a lease, and ends the lease of whoever operates the robot.
 //!
+//! `#[modulation(drives)]` declares by which modulation tools drive the body, with speeds in m/s and rad/s, or turn the head, with angles
+//! in rad. They use the first of each in the tree's list.
+//!
 //! ```
 //! use bica_core::{Instant, Tree, Value};
 //! use bica_macros::{activation_tree, component};
@@ -29,14 +32,14 @@
 //! # Ok::<(), bica_core::Refusal>(())
 //! ```
 
-use crate::params::{Param, Value};
+use crate::params::{Kind, Param, Value};
 use crate::refusal::Reason;
 use crate::text::Text;
 
 /// Largest number of arguments of a modulation or an action: requests have room for them.
 pub const MAX_ARGUMENTS: usize = 16;
 
-/// Stops the compiler if there are too many.
+/// Stops the compiler if there are too many, or if an argument of a modulation that drives cannot be zero.
 ///
 /// # Panics
 /// If it is so.
@@ -49,6 +52,18 @@ pub const fn assert_arguments(modulation: &Modulation) {
         text.push(" arguments: make two of it, or parameters of some");
         panic!("{}", text.as_str());
     }
+    let mut index = 0;
+    while modulation.drives && index < modulation.arguments.len() {
+        let Param { name, kind, .. } = modulation.arguments[index];
+        if matches!(kind, Kind::F32 { min, max, .. } if min > 0.0 || max < 0.0) {
+            let mut text = Text::<128>::new();
+            text.push("tools end a motion with zeros, which the range of `");
+            text.push(name);
+            text.push("` lacks: include 0");
+            panic!("{}", text.as_str());
+        }
+        index += 1;
+    }
 }
 
 /// Description of a modulation.
@@ -60,6 +75,9 @@ pub struct Modulation {
     pub doc: &'static str,
     /// Whether the call stops the robot: it takes no arguments, and everybody who reaches the robot may call it.
     pub stops: bool,
+    /// Whether tools drive the robot by it: it takes the speeds `forward` and `turn`, and perhaps `left`, or the angles `pan` and perhaps
+    /// `tilt`.
+    pub drives: bool,
     /// The arguments. One that declares no default has the number of its range that is nearest to zero, `false`, or the
     /// first variant.
     pub arguments: &'static [Param],

@@ -315,7 +315,8 @@ impl GraphItems<'_> {
             List::Modulations => {
                 let modulation = node.modulations.get(self.index)?;
                 (self.doc, self.arguments) = (modulation.doc, modulation.arguments);
-                GraphItem::Modulation { component, index, name: modulation.name, stops: modulation.stops }
+                let (name, stops, drives) = (modulation.name, modulation.stops, modulation.drives);
+                GraphItem::Modulation { component, index, name, stops, drives }
             }
             List::Tree | List::Components | List::End => return None,
         })

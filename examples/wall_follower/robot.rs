@@ -168,7 +168,7 @@ impl Drive {
     }
 
     /// Requests a speed and a turning speed, positive to the left.
-    #[modulation]
+    #[modulation(drives)]
     fn request(
         &mut self,
         #[range(-0.6..=0.6)]

@@ -149,34 +149,37 @@ pub fn state(attribute: &Attribute) -> Result<StateWords, Mistake> {
 /// Words that mean a stop elsewhere.
 const STOPS: [&str; 5] = ["halt", "emergency", "emergency_stop", "estop", "e_stop"];
 
-/// Whether `#[modulation]` is marked as a stop: `#[modulation(stop)]`.
+/// The words of a modulation.
+const MODULATION_WORDS: [&str; 2] = ["stop", "drives"];
+
+/// The word of `#[modulation(stop)]` or `#[modulation(drives)]`.
 ///
 /// # Errors
-/// If it has another form, another word, or the word twice.
-pub(super) fn modulation(attribute: &Attribute) -> Result<bool, Mistake> {
+/// If it has another form, another word, or two.
+pub(super) fn modulation(attribute: &Attribute) -> Result<Option<&'static str>, Mistake> {
     let list = match &attribute.meta {
-        Meta::Path(_) => return Ok(false),
+        Meta::Path(_) => return Ok(None),
         Meta::List(list) if !list.tokens.is_empty() => list,
         _ => return Err(syn::Error::new_spanned(attribute, wording::MODULATION_FORM).into()),
     };
     let words = list.parse_args_with(Punctuated::<Ident, Token![,]>::parse_terminated);
-    let mut stops = false;
+    let mut seen = None;
     for word in words.map_err(|_| syn::Error::new_spanned(&list.tokens, wording::MODULATION_FORM))? {
         let written = text::name(&word);
-        if written != "stop" {
+        let Some(known) = MODULATION_WORDS.into_iter().find(|known| *known == written) else {
             let nearest = if STOPS.contains(&written.as_str()) {
                 Some("stop")
             } else {
-                text::nearest(&written, ["stop"].into_iter())
+                text::nearest(&written, MODULATION_WORDS.into_iter())
             };
-            return Err(Mistake::new(word, Code::unknown_key(written, nearest, "only `stop`")));
+            return Err(Mistake::new(word, Code::unknown_key(written, nearest, "`stop` and `drives`")));
+        };
+        if let Some(before) = seen.replace(known) {
+            let message = if before == known { wording::TWICE } else { wording::STOP_OR_DRIVES };
+            return Err(syn::Error::new(word.span(), message).into());
         }
-        if stops {
-            return Err(syn::Error::new(word.span(), wording::TWICE).into());
-        }
-        stops = true;
     }
-    Ok(stops)
+    Ok(seen)
 }
 
 /// Reads a transition.

@@ -117,6 +117,8 @@ pub struct Modulation {
     pub doc: String,
     /// Whether it is marked as a stop.
     pub stops: bool,
+    /// Whether it says that it drives the robot.
+    pub drives: bool,
     /// Arguments beside `self`.
     pub arguments: Vec<Field>,
 }

@@ -6,7 +6,7 @@ use syn::{Attribute, Expr, FnArg, Pat, PatType, ReturnType, Type};
 use super::block::Function;
 use super::model::{Modulation, Output};
 use super::signature::Wanted;
-use super::{arguments, attributes, output_options, signature};
+use super::{arguments, attributes, driving, output_options, signature};
 use crate::code::Code;
 use crate::params::field::{self, Keys};
 use crate::params::model::Field;
@@ -54,7 +54,8 @@ pub(super) fn modulation(
     own: &Type,
     report: &mut Report,
 ) -> Option<Modulation> {
-    let stops = report.take(attributes::modulation(attribute)).unwrap_or_default();
+    let word = report.take(attributes::modulation(attribute)).flatten();
+    let (stops, drives) = (word == Some("stop"), word == Some("drives"));
     if let Some(argument) = function.signature.inputs.iter().find(|input| stops && matches!(input, FnArg::Typed(_))) {
         report.add(argument, wording::STOP_ARGUMENTS);
     }
@@ -63,7 +64,11 @@ pub(super) fn modulation(
     {
         report.add(kind, wording::returns_nothing(&text::name(&function.signature.ident)));
     }
-    Some(Modulation { stops, ..call(function, "modulation", own, report)? })
+    let called = call(function, "modulation", own, report)?;
+    if drives {
+        driving::check(&called.name, &called.arguments, report);
+    }
+    Some(Modulation { stops, drives, ..called })
 }
 
 /// Reads a method that an operator may call, whatever it returns, and takes the attributes of its arguments off.
@@ -78,7 +83,7 @@ pub(super) fn call(function: &mut Function, role: &str, own: &Type, report: &mut
         }
     }
     let arguments = all.into_iter().collect::<Option<Vec<_>>>()?;
-    Some(Modulation { name, doc, stops: false, arguments })
+    Some(Modulation { name, doc, stops: false, drives: false, arguments })
 }
 
 /// Name and doc comment of a function, which it must have.

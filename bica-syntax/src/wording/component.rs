@@ -134,10 +134,21 @@ pub(crate) const OUTPUT_FORM: &str =
 pub(crate) const CHILD_WITHOUT_FRAME: &str =
     "a child frame has a place in another frame: add `frame = \"...\"`, the name of that frame";
 pub(crate) const OUTPUT_ARGUMENTS: &str = "an output is read without arguments: remove this";
-pub(crate) const MODULATION_FORM: &str =
-    "write `#[modulation]` or `#[modulation(stop)]`, and `#[range(a..=b)]` and `#[unit(\"...\")]` before an argument";
+pub(crate) const MODULATION_FORM: &str = "write `#[modulation]`, `#[modulation(stop)]` or `#[modulation(drives)]`, and \
+                                          `#[range(a..=b)]` and `#[unit(\"...\")]` before an argument";
 pub(crate) const STOP_ARGUMENTS: &str =
     "a stop takes no arguments, because whoever presses it has no time to choose: remove this, or remove `stop`";
+pub(crate) const STOP_OR_DRIVES: &str =
+    "a stop takes no arguments, and a modulation that drives takes speeds: remove one of the two words";
+messages! {
+    driving_argument(name) =
+        "tools do not know `{name}`: a modulation that drives takes `forward`, `turn` and perhaps `left`, or `pan` and perhaps `tilt`; \
+         call it so, or remove `drives`";
+    driving_needs(name, argument, unit) =
+        "`{name}` drives and takes no `{argument}`: add `{argument}: f32` in {unit}, or remove `drives`";
+    driving_type(name) = "tools give `{name}` as an `f32`: write `f32`";
+    driving_unit(name, unit) = "tools give `{name}` in {unit}: write `#[unit(\"{unit}\")]` before it";
+}
 pub(crate) const ARGUMENT_NAME: &str = "tools show the name of this argument: write a name here";
 
 pub(crate) const PLACE_FORM: &str =

@@ -144,6 +144,8 @@ pub enum GraphItem<'a> {
         name: &'a str,
         /// Whether it stops the robot.
         stops: bool,
+        /// Whether tools drive the robot by it.
+        drives: bool,
     },
     /// An action of a simulated world. Actions follow all components, in the order of their indices.
     Action {

@@ -147,8 +147,8 @@ impl Builder {
                 });
                 self.last = Last::Output(component.into());
             }
-            GraphItem::Modulation { component, name, stops, .. } => {
-                self.at(component)?.modulations.push(Modulation { stops, ..call(name, None) });
+            GraphItem::Modulation { component, name, stops, drives, .. } => {
+                self.at(component)?.modulations.push(Modulation { stops, drives, ..call(name, None) });
                 self.last = Last::Call(Owner::Component(component.into()));
             }
             GraphItem::Action { name, moves } => {
@@ -258,5 +258,5 @@ fn param(group: &str, name: &str, unit: Option<&str>, kind: &Kind<u16>, default:
 
 fn call(name: &str, moves: Option<&str>) -> Modulation {
     let (name, moves) = (name.to_owned(), moves.map(str::to_owned));
-    Modulation { name, doc: String::new(), stops: false, arguments: Vec::new(), moves }
+    Modulation { name, doc: String::new(), stops: false, drives: false, arguments: Vec::new(), moves }
 }

@@ -255,6 +255,9 @@ pub struct Modulation {
     /// Whether it stops the robot: then everybody may call it, without the lease.
     #[serde(default, skip_serializing_if = "core::ops::Not::not")]
     pub stops: bool,
+    /// Whether tools drive the robot by it, with its arguments `forward` and `turn`, and perhaps `left`, or `pan` and perhaps `tilt`.
+    #[serde(default, skip_serializing_if = "core::ops::Not::not")]
+    pub drives: bool,
     /// Arguments.
     pub arguments: Vec<Param>,
     /// Item of the world's true state that an action moves to the place of its arguments.

@@ -48,9 +48,9 @@ const SIDE: Param = Param {
 const PLACEMENT: Placement<'static> = Placement { shape: "Pose2", frame: "field", child: Some("robot") };
 
 static ACTIONS: [Action; 2] = [
-    Action { call: Modulation { name: "wait", doc: "", stops: false, arguments: &[] }, moves: None },
+    Action { call: Modulation { name: "wait", doc: "", stops: false, drives: false, arguments: &[] }, moves: None },
     Action {
-        call: Modulation { name: "place", doc: "Puts it.", stops: false, arguments: &[GAIN, SIDE] },
+        call: Modulation { name: "place", doc: "Puts it.", stops: false, drives: false, arguments: &[GAIN, SIDE] },
         moves: Some("cup"),
     },
 ];
@@ -75,7 +75,7 @@ static GRAPH: Graph = Graph {
                 ty: "Option < Vec2 >",
                 placement: Some(&PLACEMENT),
             }],
-            modulations: &[Modulation { name: "look", doc: "Looks.", stops: true, arguments: &[GAIN] }],
+            modulations: &[Modulation { name: "look", doc: "Looks.", stops: true, drives: true, arguments: &[GAIN] }],
             ..Node::new("Eye")
         },
         Node {
@@ -136,7 +136,7 @@ fn graph_is_described_once_and_in_order() {
             type_name: "Option < Vec2 >",
             placement: Some(PLACEMENT),
         },
-        GraphItem::Modulation { component: 0, index: 0, name: "look", stops: true },
+        GraphItem::Modulation { component: 0, index: 0, name: "look", stops: true, drives: true },
         doc("Looks."),
         GraphItem::Argument { name: "gain", unit: Some("1/s"), kind, default },
         doc("Part of the way."),

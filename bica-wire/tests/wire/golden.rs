@@ -7,7 +7,8 @@
 //! lines of the log got their source, and descriptions the schemas of the robot's messages. Then modulations said whether they
 //! stop the robot, and transitions what they carry. Then links got their roles, transitions the results and parameters for
 //! which they wait, and components their work. Then components got types beside their names, and
-//! machines could go to states by request, and descriptions got ages, outcomes and writers.
+//! machines could go to states by request, and descriptions got ages, outcomes and writers. Then modulations said whether they
+//! drive the robot.
 
 use bica_core::ComponentId;
 use bica_core::visual::SceneItem;
@@ -23,7 +24,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xe43f_4cf2_4292_59cc;
+const GOLDEN_SCHEMA: u64 = 0x5f6b_d9a4_9eba_9de0;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()

@@ -22,8 +22,8 @@ const GRAPH: Graph = Graph {
     root: 0,
     nodes: &[Node {
         modulations: &[
-            Modulation { name: "start", doc: "", stops: false, arguments: &[] },
-            Modulation { name: "stop", doc: "", stops: true, arguments: &[] },
+            Modulation { name: "start", doc: "", stops: false, drives: true, arguments: &[] },
+            Modulation { name: "stop", doc: "", stops: true, drives: false, arguments: &[] },
         ],
         ..Node::new("Drive")
     }],

@@ -158,7 +158,7 @@ impl Body {
     }
 
     /// Requests steps in any direction.
-    #[modulation]
+    #[modulation(drives)]
     pub const fn walk(
         &mut self,
         /// Forward speed; negative is backward.

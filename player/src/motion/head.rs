@@ -67,7 +67,7 @@ impl Head {
 
     /// Sets the direction: `pan` rad to the left, `tilt` rad down, limited to the range of the joints. Values that are not
     /// finite are ignored.
-    #[modulation]
+    #[modulation(drives)]
     pub fn look_at(
         &mut self,
         /// Angle to the left.

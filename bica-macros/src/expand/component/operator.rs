@@ -47,12 +47,17 @@ fn modulations(p: &TokenStream, all: &[Modulation]) -> TokenStream {
 
 /// `Modulation { ... }`
 pub(crate) fn description(p: &TokenStream, modulation: &Modulation) -> TokenStream {
-    let (name, doc, stops) = (text::name(&modulation.name), &modulation.doc, modulation.stops);
+    let (name, doc) = (text::name(&modulation.name), &modulation.doc);
+    let (stops, drives) = (modulation.stops, modulation.drives);
     let arguments = modulation.arguments.iter().map(|field| {
         let default = field.default.as_ref().map(|default| quote!(#default));
         describe::param(p, field, default.as_ref())
     });
-    quote!(#p::Modulation { name: #name, doc: #p::doc(#doc), stops: #stops, arguments: &[#(#arguments),*] })
+    quote! {
+        #p::Modulation {
+            name: #name, doc: #p::doc(#doc), stops: #stops, drives: #drives, arguments: &[#(#arguments),*]
+        }
+    }
 }
 
 /// The checks of the arguments that `described` describes.

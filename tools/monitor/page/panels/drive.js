@@ -18,21 +18,16 @@ const KEYS = { forward: ['KeyW', 'KeyS'], left: ['KeyQ', 'KeyE'], turn: ['KeyA',
 const AXES = { forward: [1, -1], turn: [0, -1], left: [-1, 0], pan: [2, -1], tilt: [3, 1] };
 const SHOULDERS = [4, 5];
 
-/** Arguments of the modulation that moves the body, of which it has the first two, and of the one that moves the head. */
-const BODY = ['forward', 'turn', 'left'];
-const HEAD = ['pan', 'tilt'];
-
-/** Finds the modulation with the most of these arguments, among them the first `least`, and with no other ones. */
-function find(description, known, least) {
+/** Finds the first modulation that drives and has this argument. */
+function find(description, argument) {
   const all = description.components.flatMap(({ name, modulations }, component) => modulations.map((one, number) => ({
-    component, number, name, arguments: one.arguments, stop: modulations.findIndex((other) => /^(stand|stop)$/.test(other.name) && !other.stops && other.arguments.length === 0),
+    component, number, name, drives: one.drives, arguments: one.arguments, stop: modulations.findIndex((other) => /^(stand|stop)$/.test(other.name) && !other.stops && other.arguments.length === 0),
   })));
-  const fits = ({ arguments: given }) => known.slice(0, least).every((name) => given.some((one) => one.name === name)) && given.every((one) => known.includes(one.name) && typeof one.min === 'number');
-  return all.filter(fits).sort((one, other) => other.arguments.length - one.arguments.length)[0] ?? null;
+  return all.find(({ drives, arguments: given }) => drives && given.some(({ name }) => name === argument)) ?? null;
 }
 
 /** What moves the robot: {body, head}; each is null if there is no such modulation. */
-export const driven = (description) => ({ body: find(description, BODY, 2), head: find(description, HEAD, 1) });
+export const driven = (description) => ({ body: find(description, 'forward'), head: find(description, 'pan') });
 
 /** Whether an operator can drive the robot of a session. */
 export const canDrive = (shown) => shown.info.value.can.operate && Object.values(driven(shown.description.value)).some(Boolean);
@@ -66,7 +61,7 @@ export function Drive({ visible }) {
   if (!description) return html`<${Empty} what="Nothing to drive" help="Open a world or a robot first." />`;
   if (!shown.info.value.can.operate) return html`<${Empty} what="This session can only be watched" help=${shown.info.value.kind === 'recording' ? 'A recording is what happened. Open a world or a robot to drive.' : 'The robot, or this program, allows no operator.'} />`;
   const { body, head } = driven(description);
-  if (!body && !head) return html`<${Empty} what="This tree cannot be driven here" help="The panel needs a modulation with numbers called forward and turn, and perhaps left, or pan and tilt. Other modulations are in the component tabs." />`;
+  if (!body && !head) return html`<${Empty} what="This tree cannot be driven here" help="The panel needs a modulation that drives: #[modulation(drives)]. Other modulations are in the component tabs." />`;
   return html`<${Controls} key=${description.hash} ...${{ shown, description, body, head, visible }} />`;
 }
 

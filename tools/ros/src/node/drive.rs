@@ -6,10 +6,8 @@ use bica::runner::Request;
 use bica::{ComponentId, Hold, Value};
 use bica_link::{Client, Error};
 use bica_recording::ros::{Twist, Vector3};
-use bica_wire::model::{Description, Kind, Output, Param, Plain};
+use bica_wire::model::{Description, Kind, Modulation, Output, Param, Plain};
 
-/// Arguments of a modulation that moves a robot: speed ahead, m/s, turning speed to the left, rad/s, and speed to the left, m/s.
-const ARGUMENTS: [&str; 3] = ["forward", "turn", "left"];
 /// Silence after which the robot is stopped.
 const SILENCE: Duration = Duration::from_millis(500);
 
@@ -38,21 +36,14 @@ pub(super) struct Drive {
 }
 
 impl Drive {
-    /// Finds the modulation with the most of the arguments above. It must have the first two, and no other arguments.
+    /// Finds the first modulation that drives the body: one that drives and takes a speed ahead.
     pub(super) fn find(description: &Description) -> Option<Self> {
-        let is_known =
-            |param: &Param| ARGUMENTS.contains(&param.name.as_str()) && matches!(param.kind, Kind::F32 { .. });
-        let has = |arguments: &[Param], name: &str| arguments.iter().any(|param| param.name == name);
         let components = description.components.iter().enumerate();
-        let all =
+        let mut all =
             components.flat_map(|(index, one)| one.modulations.iter().zip(0..).map(move |called| (index, called)));
-        let fits = all.filter(|(_, (called, _))| {
-            called.arguments.iter().all(is_known) && ARGUMENTS[..2].iter().all(|name| has(&called.arguments, name))
-        });
-        // Of several with equally many arguments, the first one.
-        let best =
-            fits.reduce(|best, next| if next.1.0.arguments.len() > best.1.0.arguments.len() { next } else { best });
-        best.map(|(component, (called, modulation))| Self {
+        let moves_body = |called: &Modulation| called.arguments.iter().any(|param| param.name == "forward");
+        let found = all.find(|(_, (called, _))| called.drives && moves_body(called));
+        found.map(|(component, (called, modulation))| Self {
             root: ComponentId::new(description.root),
             component: ComponentId::new(component),
             modulation,
@@ -116,7 +107,67 @@ impl Drive {
 
 #[cfg(test)]
 mod tests {
+    use bica::prelude::*;
+
     use super::*;
+
+    struct Wheels(f32);
+
+    /// Its first modulation only looks like one that drives.
+    #[component]
+    impl Wheels {
+        const fn new() -> Self {
+            Self(0.0)
+        }
+
+        /// Last request.
+        #[output]
+        fn last(&self) -> f32 {
+            self.0
+        }
+
+        /// Sets limits.
+        #[modulation]
+        fn limit(&mut self, #[range(0.0..=1.0)] forward: f32, #[range(0.0..=1.0)] turn: f32) {
+            self.0 = forward + turn;
+        }
+
+        /// Looks.
+        #[modulation(drives)]
+        fn look(
+            &mut self,
+            #[range(-1.0..=1.0)]
+            #[unit("rad")]
+            pan: f32,
+        ) {
+            self.0 = pan;
+        }
+
+        /// Requests a speed.
+        #[modulation(drives)]
+        fn go(
+            &mut self,
+            #[range(-1.0..=1.0)]
+            #[unit("rad/s")]
+            turn: f32,
+            #[range(0.0..=1.0)]
+            #[unit("m/s")]
+            forward: f32,
+        ) {
+            self.0 = turn + forward;
+        }
+    }
+
+    activation_tree! { struct Cart { root: Wheels, cycle_hz: 50, components: [Wheels] } }
+
+    #[test]
+    fn only_what_says_so_drives_the_body() {
+        let mut description = Description::of(&Cart::GRAPH);
+        let drive = Drive::find(&description).expect("a modulation that drives");
+        assert_eq!((drive.modulation, drive.arguments[0].name.as_str()), (2, "turn"));
+        description.components[0].modulations.pop();
+        assert!(Drive::find(&description).is_none());
+    }
 
     #[test]
     fn a_speed_that_is_no_number_is_refused_once() {
