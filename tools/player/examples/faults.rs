@@ -36,8 +36,11 @@ impl GameObserver for LastState {
 }
 
 fn play(seed: u64, option: &str) -> Result<(GameSummary, String), Failure> {
-    let options: Vec<String> =
-        [option, "from=8"].iter().filter(|text| !text.is_empty()).map(ToString::to_string).collect();
+    let options: Vec<String> = match option {
+        "" => Vec::new(),
+        button if button.starts_with("button") => vec![button.to_owned()],
+        fault => vec![fault.to_owned(), "from=8".to_owned()],
+    };
     let rules = Rules {
         world: WorldKind::BuiltIn,
         seed,

@@ -283,8 +283,11 @@ impl Monitor {
                     return Ok(if seconds.is_some() { Outcome::Interrupted } else { Outcome::Success });
                 }
                 monitor.next()?;
-                if !monitor.client.lease().yours {
-                    return Err(Error::Lease.into());
+                let lease = monitor.client.lease();
+                if !lease.yours {
+                    let ended =
+                        || Failure::new("the lease has ended by a stop, or by silence", "give the command again");
+                    return Err(if lease.owned { Error::Lease.into() } else { ended() });
                 }
             }
             Ok(Outcome::Success)

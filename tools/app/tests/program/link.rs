@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::Read;
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
@@ -81,6 +81,19 @@ fn true_pose_equals_odometry_from_the_true_start() {
         }
     }
     assert!(compared > 20, "{compared}");
+}
+
+#[test]
+fn a_stop_ends_a_hold_with_its_reason() {
+    let served = start();
+    let mut program = example("wall_follower");
+    program.args(["link", &served.address, "hold", "Explorer", "latent"]);
+    let mut hold = program.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
+    hold.stdout.as_mut().expect("a pipe").read_exact(&mut [0; 5]).expect("the hold is in force");
+    link(&served, &["stop"]);
+    let ended = hold.wait_with_output().expect("it ends");
+    let error = String::from_utf8(ended.stderr).expect("UTF-8");
+    assert!(ended.status.code() == Some(2) && error.contains("the lease has ended by a stop"), "{error}");
 }
 
 #[cfg(unix)]

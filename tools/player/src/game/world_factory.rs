@@ -1,6 +1,7 @@
 //! Worlds for games.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use bica_app::{Failure, WorldOptions};
@@ -25,9 +26,10 @@ button=S or button=S,S (presses of the chest button)";
 pub(crate) fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
     let options = WorldOptions::new(rules.seed, rules.options)?;
     let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
-    let robot = options.value("robot", Numbers::default())?.exactly([3], "robot")?;
-    let ball = options.value("ball", Numbers::default())?.exactly([2, 4], "ball")?;
-    let mounting = options.value("mounting", Numbers::default())?.exactly([3], "mounting")?;
+    // Places on the carpet are checked with the world.
+    let robot = numbers(&options, "robot", [3], -10.0..=10.0)?;
+    let ball = numbers(&options, "ball", [2, 4], -10.0..=10.0)?;
+    let mounting = numbers(&options, "mounting", [3], -0.5..=0.5)?;
     let faults = faults(&options)?;
     options.check_all_read(rules.world.name())?;
     let failed = |error: SetupError| {
@@ -87,26 +89,53 @@ fn faults(options: &WorldOptions) -> Result<Faults, Failure> {
         }
         Ok(joint)
     };
-    let number =
-        |name: &str, default: f32| options.value(name, Numbers(vec![default]))?.exactly([1], name).map(|n| n[0]);
+    let number = |name: &str, default: f32, within| {
+        numbers(options, name, [1], within).map(|given| given.first().copied().unwrap_or(default))
+    };
     let image = options.value("image", String::new())?;
     let image = (!image.is_empty()).then(|| image.parse::<ImageFault>());
     let wrong = |error| Failure::new(format!("--option image: {error}"), "choose one of them");
-    let presses = options.value("button", Numbers::default())?.exactly([1, 2], "button")?;
-    Ok(Faults {
+    let presses = numbers(options, "button", [1, 2], TIMES)?;
+    let (from, until) = (number("from", none.from, TIMES)?, number("until", none.until, TIMES)?);
+    let faults = Faults {
         image: image.transpose().map_err(wrong)?,
-        gyro: number("gyro", none.gyro)?,
+        gyro: number("gyro", none.gyro, -MAX_GYRO..=MAX_GYRO)?,
         stuck: joint("stuck")?,
         hot: joint("hot")?,
-        from: number("from", none.from)?,
-        until: options
-            .value("until", Numbers::default())?
-            .exactly([1], "until")?
-            .first()
-            .copied()
-            .unwrap_or(none.until),
         presses: [0, 1].map(|press| presses.get(press).copied().unwrap_or(f32::INFINITY)),
-    })
+        ..none
+    };
+    let is_timed = from != none.from || until != none.until;
+    if is_timed && (from >= until || faults == Faults { presses: faults.presses, ..none }) {
+        let what = "--option from and until: there is no fault in this time";
+        return Err(Failure::new(what, "give a fault, such as image=freeze, and a time `from` before `until`"));
+    }
+    Ok(Faults { from, until, ..faults })
+}
+
+/// Times of a game, s: as long as `--seconds` may be.
+const TIMES: RangeInclusive<f32> = 0.0..=86_400.0;
+/// Full scale of usual gyroscopes, 2000°/s, in rad/s.
+const MAX_GYRO: f32 = 35.0;
+
+/// The numbers of an option: none, or as many as one of `counts`, in a range.
+fn numbers<const N: usize>(
+    options: &WorldOptions,
+    name: &str,
+    counts: [usize; N],
+    within: RangeInclusive<f32>,
+) -> Result<Vec<f32>, Failure> {
+    let Numbers(given) = options.value(name, Numbers::default())?;
+    if let Some(odd) = given.iter().find(|number| !within.contains(*number)) {
+        let what = format!("--option {name}: {odd:?} is out of range");
+        return Err(Failure::new(what, format!("give numbers from {} to {}", within.start(), within.end())));
+    }
+    if given.is_empty() || counts.contains(&given.len()) {
+        return Ok(given);
+    }
+    let counts = counts.map(|count| count.to_string()).join(" or ");
+    let what = format!("--option {name} has {} numbers", given.len());
+    Err(Failure::new(what, format!("give {counts}, with commas between them")))
 }
 
 /// Finite numbers, separated by commas.
@@ -128,17 +157,5 @@ impl FromStr for Numbers {
     fn from_str(text: &str) -> Result<Self, NoNumbers> {
         let number = |part: &str| part.trim().parse().ok().filter(|number: &f32| number.is_finite());
         text.split(',').map(number).collect::<Option<_>>().map(Self).ok_or(NoNumbers)
-    }
-}
-
-impl Numbers {
-    /// Checks that there are no numbers, or as many as one of `counts`.
-    fn exactly<const N: usize>(self, counts: [usize; N], name: &str) -> Result<Vec<f32>, Failure> {
-        if self.0.is_empty() || counts.contains(&self.0.len()) {
-            return Ok(self.0);
-        }
-        let counts = counts.map(|count| count.to_string()).join(" or ");
-        let what = format!("--option {name} has {} numbers", self.0.len());
-        Err(Failure::new(what, format!("give {counts}, with commas between them")))
     }
 }

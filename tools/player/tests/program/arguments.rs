@@ -24,6 +24,16 @@ fn errors_name_the_wrong_argument_and_the_valid_ones() {
     refused(&["--option", "speed=3"], &["`built-in` has no option `speed`"]);
     refused(&["--option", "ball=1"], &["ball has 1 numbers", "give 2 or 4"]);
     refused(&["--option", "gyro=NaN"], &["gyro=NaN", "finite numbers"]);
+    for (option, range) in [
+        ("gyro=1e30", "from -35 to 35"),
+        ("ball=1,0,1e30,0", "from -10 to 10"),
+        ("mounting=0,0,9", "from -0.5 to 0.5"),
+        ("button=-1", "from 0 to 86400"),
+    ] {
+        refused(&["--option", option], &["out of range", range]);
+    }
+    refused(&["--option", "from=5"], &["no fault in this time", "image=freeze"]);
+    refused(&["--option", "image=dark", "--option", "from=5", "--option", "until=2"], &["`from` before `until`"]);
     refused(&["--option", "stuck=Nose"], &["stuck=Nose", "HeadYaw"]);
     refused(&["--option", "robot=9,0,0"], &["the robot cannot start at (9, 0)"]);
     refused(&["--games", "0"], &["--games"]);
