@@ -51,7 +51,11 @@ impl Torso {
 }
 
 activation_tree! {
-    struct Robot { root: Torso, cycle_hz: 100, components: [Torso = Torso(false, false), left_arm = Left, r#right = Arm<1> = Arm::new()] }
+    struct Robot {
+        root: Torso,
+        cycle_hz: 100,
+        components: [Torso = Torso(false, false), left_arm = Left, r#right = Arm<1> = Arm::new()],
+    }
 }
 
 #[test]
