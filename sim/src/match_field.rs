@@ -226,10 +226,9 @@ impl MatchField {
     fn share_robots(&mut self) {
         for index in 0..self.worlds.len() {
             let own = self.entrants[index].is_second;
-            let shown = |(other, world): (usize, &Box<dyn MatchWorld>)| {
-                (other != index).then(|| world.as_other(self.entrants[other].is_second != own))
-            };
-            let others: Vec<Other> = self.worlds.iter().enumerate().filter_map(shown).collect();
+            let others = self.worlds.iter().zip(&self.entrants).enumerate().filter(|(other, _)| *other != index);
+            let others: Vec<Other> =
+                others.map(|(_, (world, entrant))| world.as_other(entrant.is_second != own)).collect();
             self.worlds[index].set_others(&others);
         }
     }

@@ -245,7 +245,8 @@ pub(crate) struct RefereeArgs {
     /// With --referee or --teams, use no network but that of the rules: no link and no ROS
     #[arg(long = "match", requires = "commanded")]
     pub(crate) is_match: bool,
-    /// With `--world team` or `--world mujoco`, numbers of the two teams of a match; --record then names a folder. Needs the feature `referee`
+    /// With `--world team` or `--world mujoco`, numbers of the two teams of a match; --record then names a folder. Needs the feature
+    /// `referee`
     #[arg(long, value_name = "TEAM,TEAM", value_parser = teams, group = "commanded")]
     pub(crate) teams: Option<[u8; 2]>,
     /// With --teams, number of players of each team

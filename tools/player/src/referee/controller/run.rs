@@ -114,7 +114,7 @@ impl Network {
     fn receive(&self) -> (Vec<(Status, Ipv4Addr)>, Vec<u8>) {
         let (mut statuses, mut teams) = (Vec::new(), Vec::new());
         drain(&self.socket, |datagram, from| {
-            statuses.extend(Status::parse(datagram).ok().map(|status| (status, from)))
+            statuses.extend(Status::parse(datagram).ok().map(|status| (status, from)));
         });
         for (team, socket) in &self.messages {
             drain(socket, |_, _| teams.push(*team));
@@ -209,10 +209,11 @@ impl Loop {
 
     /// Takes what has arrived: status messages, and messages of the teams, which count against their budgets.
     fn receive(&mut self, now: f64) -> Vec<String> {
-        let Self { runner, .. } = self;
-        let (statuses, messages) = runner.world_mut().receive();
-        let referee = runner.robot_mut().get_mut::<Referee>();
-        messages.into_iter().for_each(|team| referee.count_message(team));
+        let (statuses, messages) = self.runner.world().receive();
+        let referee = self.runner.robot_mut().get_mut::<Referee>();
+        for team in messages {
+            referee.count_message(team);
+        }
         let players = &mut referee.players;
         let mut lines: Vec<String> =
             statuses.into_iter().filter_map(|(status, from)| players.take(status, from, now)).collect();
