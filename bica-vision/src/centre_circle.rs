@@ -17,7 +17,7 @@ use crate::colour::Classify;
 use crate::frame::Frame;
 use crate::line_probe::{Ground, Surface};
 use crate::lines::Line;
-use crate::markings::MarkingTuning;
+use crate::markings::MarkingDetection;
 use crate::projection::Camera;
 
 /// Tolerated distance of a segment from the circle at the robot, m.
@@ -63,7 +63,7 @@ pub fn find(
     colours: &impl Classify,
     camera: &Camera,
     lines: &[Line],
-    tuning: &MarkingTuning,
+    tuning: &MarkingDetection,
 ) -> Option<CentreCircle> {
     let ground = Ground { frame, colours, camera };
     let centre = centres(lines, tuning.min_circle_length)
@@ -181,6 +181,8 @@ fn halfway(lines: &[Line], centre: Vec2) -> Option<Vec2> {
 
 #[cfg(test)]
 mod tests {
+    use bica_core::Params;
+
     use super::*;
 
     fn arc(centre: Vec2, radius: f32, from: u8, to: u8) -> std::vec::Vec<Line> {
@@ -196,7 +198,7 @@ mod tests {
         let mut lines = arc(centre, FIELD.centre_circle_radius(), 3, 11);
         lines.push(Line { from: centre - Vec2::new(0.9, 0.9), to: centre + Vec2::new(0.2, 0.2) });
         lines.push(Line { from: Vec2::new(0.5, 2.0), to: Vec2::new(3.0, 2.2) });
-        let hypothesis = centres(&lines, MarkingTuning::DEFAULT.min_circle_length).next().expect("a hypothesis");
+        let hypothesis = centres(&lines, MarkingDetection::DEFAULT.min_circle_length).next().expect("a hypothesis");
         assert!(hypothesis.distance(centre) < 0.03, "{hypothesis:?}");
         assert!(halfway(&lines, hypothesis).is_some_and(|way| way.perp_dot(Vec2::ONE).abs() < 0.01));
     }
@@ -204,6 +206,6 @@ mod tests {
     #[test]
     fn degenerate_segments_give_no_centre() {
         let degenerate = [Line { from: Vec2::X, to: Vec2::X }, Line { from: Vec2::NAN, to: Vec2::X }];
-        assert_eq!(centres(&degenerate, MarkingTuning::DEFAULT.min_circle_length).next(), None);
+        assert_eq!(centres(&degenerate, MarkingDetection::DEFAULT.min_circle_length).next(), None);
     }
 }

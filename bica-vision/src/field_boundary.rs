@@ -8,6 +8,8 @@
 
 mod hull;
 
+use bica_core::Params;
+use bica_macros::Params;
 use glam::Vec2;
 use heapless::Vec;
 
@@ -18,25 +20,25 @@ use crate::projection::Camera;
 /// Number of scanned columns.
 pub const COLUMNS: usize = 40;
 
-/// Thresholds of the field boundary.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BoundaryTuning {
-    /// Minimum excess of green over other colours in a column, as a share of the scanned rows.
-    pub min_green: f32,
-    /// Length of a gap that ends the carpet, as a share of the frame height.
-    pub max_gap: f32,
-    /// Tolerated error of the camera's pitch, rad.
-    pub pitch_error: f32,
-    /// Maximum distance of an inlier from a side of the carpet, as a share of the frame height.
-    pub inlier_distance: f32,
-    /// Minimum score of a side of the carpet: number of inlying columns minus number of columns above it.
-    pub min_score: i32,
-}
+/// Tolerated error of the camera's pitch, rad.
+const PITCH_ERROR: f32 = 0.035;
 
-impl BoundaryTuning {
-    /// The default thresholds.
-    pub const DEFAULT: Self =
-        Self { min_green: 0.03, max_gap: 0.025, pitch_error: 0.035, inlier_distance: 0.015, min_score: 4 };
+/// Detection of the field boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Params)]
+#[params(crate = bica_core)]
+pub struct BoundaryDetection {
+    /// Minimum excess of green over other colours in a column, as a share of its scanned pixels.
+    #[param(default = 0.03, range = 0.0..=0.5, step = 0.005)]
+    pub min_green: f32,
+    /// Length of a gap in the green that ends the carpet, as a share of the image height.
+    #[param(default = 0.025, range = 0.0..=0.5, step = 0.005)]
+    pub max_gap: f32,
+    /// Maximum distance of an inlier from a side of the carpet, as a share of the image height.
+    #[param(default = 0.015, range = 0.001..=0.1, step = 0.001)]
+    pub inlier_distance: f32,
+    /// Minimum score of a side of the carpet: number of inlying columns, of 40, minus number of columns above it.
+    #[param(default = 4, range = 1..=40)]
+    pub min_score: i32,
 }
 
 /// Field boundary from the left to the right image edge.
@@ -60,7 +62,7 @@ impl FieldBoundary {
     /// Finds the field boundary as [`find`](Self::find) does. With `camera`, ignores rows more than 2° above the horizon.
     #[must_use]
     pub fn find_with(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Self {
-        Self::find_tuned(frame, colours, camera, &BoundaryTuning::DEFAULT)
+        Self::find_tuned(frame, colours, camera, &BoundaryDetection::DEFAULT)
     }
 
     /// Finds the field boundary as [`find_with`](Self::find_with) does, with thresholds of the caller.
@@ -69,7 +71,7 @@ impl FieldBoundary {
         frame: &Frame<'_>,
         colours: &impl Classify,
         camera: Option<&Camera>,
-        tuning: &BoundaryTuning,
+        tuning: &BoundaryDetection,
     ) -> Self {
         let (mut points, mut green_below) = (Vec::<Vec2, COLUMNS>::new(), Vec::new());
         for x in columns(frame.width()) {
@@ -87,7 +89,7 @@ impl FieldBoundary {
     pub fn scan(
         frame: &Frame<'_>,
         colours: &impl Classify,
-        tuning: &BoundaryTuning,
+        tuning: &BoundaryDetection,
     ) -> impl Iterator<Item = (f32, Option<f32>)> {
         columns(frame.width()).map(move |x| (x, Column::scan(frame, colours, x as u16, 0, tuning).top))
     }
@@ -144,8 +146,8 @@ pub(crate) fn columns(width: u16) -> impl Iterator<Item = f32> {
 }
 
 /// Highest row that may show carpet in a column.
-fn highest_row(camera: Option<&Camera>, x: f32, tuning: &BoundaryTuning) -> u16 {
-    let row = camera.and_then(|camera| Some(camera.horizon(x)? - tuning.pitch_error * camera.intrinsics().focal.y));
+fn highest_row(camera: Option<&Camera>, x: f32, tuning: &BoundaryDetection) -> u16 {
+    let row = camera.and_then(|camera| Some(camera.horizon(x)? - PITCH_ERROR * camera.intrinsics().focal.y));
     row.map_or(0, |row| row.max(0.0) as u16)
 }
 
@@ -160,7 +162,7 @@ struct Column {
 impl Column {
     /// Scans a column upwards. The stretch with the most green is the maximum prefix sum of +1 (green) and −1 (other). A gap of
     /// other colours than white longer than `max_gap` ends a stretch.
-    fn scan(frame: &Frame<'_>, colours: &impl Classify, x: u16, highest: u16, tuning: &BoundaryTuning) -> Self {
+    fn scan(frame: &Frame<'_>, colours: &impl Classify, x: u16, highest: u16, tuning: &BoundaryDetection) -> Self {
         let longest = (tuning.max_gap * f32::from(frame.height() / 2)) as u16;
         let (mut best, mut best_row, mut sum, mut gap) = (0_u16, 0, 0_u16, 0);
         let mut green_below = highest;

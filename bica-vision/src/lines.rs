@@ -12,6 +12,8 @@ mod ridge;
 mod stripe;
 mod trace;
 
+use bica_core::Params;
+use bica_macros::Params;
 use glam::Vec2;
 use heapless::Vec;
 
@@ -42,22 +44,32 @@ const BETWEEN: f32 = 40.0;
 /// Number of steps in which a line is shortened until its end projects to the ground.
 const CUTS: u8 = 16;
 
-/// Thresholds of the line detector.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LineTuning {
-    /// Constant part of the minimum luma step from carpet to line, 0 to 255; a sixth of the carpet's luma is added.
-    pub min_rise: i16,
-    /// Minimum luma step of a line thinner than a pixel, whose pixels have the class of the carpet.
-    pub min_thin_rise: i32,
-    /// Minimum width of a line on the ground, m, measured with one pixel more.
-    pub min_width: f32,
-    /// Maximum width of a line on the ground, m, measured with one pixel less; anything wider is a robot's limb.
-    pub max_width: f32,
+/// Detection of lines in an image.
+#[derive(Clone, Copy, Debug, PartialEq, Params)]
+#[params(crate = bica_core, check = Self::is_ordered)]
+pub struct LineDetection {
+    /// Constant part of the minimum luma step from carpet to line; a sixth of the carpet's luma is added.
+    #[param(default = 12, range = 1..=100)]
+    pub min_rise: u32,
+    /// Minimum luma step of a line thinner than a pixel.
+    #[param(default = 30, range = 1..=200)]
+    pub min_thin_rise: u32,
+    /// Minimum width of a line on the ground.
+    #[param(default = 0.02, range = 0.0..=0.1, unit = "m", step = 0.005)]
+    pub min_line_width: f32,
+    /// Maximum width of a line on the ground; anything wider is a robot's limb.
+    #[param(default = 0.085, range = 0.02..=0.3, unit = "m", step = 0.005)]
+    pub max_line_width: f32,
 }
 
-impl LineTuning {
-    /// The default thresholds.
-    pub const DEFAULT: Self = Self { min_rise: 12, min_thin_rise: 30, min_width: 0.02, max_width: 0.085 };
+impl LineDetection {
+    const fn is_ordered(&self) -> Result<(), &'static str> {
+        if self.min_line_width < self.max_line_width {
+            Ok(())
+        } else {
+            Err("`min_line_width` must be below `max_line_width`")
+        }
+    }
 }
 
 /// Straight segment of a white line: px in the image, m on the ground.
@@ -86,7 +98,7 @@ pub fn find(
     field_boundary: &FieldBoundary,
     camera: Option<&Camera>,
 ) -> Lines {
-    find_tuned(frame, colours, field_boundary, camera, &LineTuning::DEFAULT)
+    find_tuned(frame, colours, field_boundary, camera, &LineDetection::DEFAULT)
 }
 
 /// Finds the line segments as [`find`] does, with thresholds of the caller.
@@ -96,7 +108,7 @@ pub fn find_tuned(
     colours: &impl Classify,
     field_boundary: &FieldBoundary,
     camera: Option<&Camera>,
-    tuning: &LineTuning,
+    tuning: &LineDetection,
 ) -> Lines {
     let mut stripes = Stripes::new();
     for axes in [Axes::Columns, Axes::Rows] {
@@ -127,7 +139,7 @@ fn scan(
     colours: &impl Classify,
     field_boundary: &FieldBoundary,
     axes: Axes,
-    tuning: &LineTuning,
+    tuning: &LineDetection,
     stripes: &mut Stripes,
 ) {
     let Some(top) = field_boundary.top() else { return };
@@ -163,4 +175,14 @@ fn scan(
         }
     }
     line_track::close(&mut open, axes, f32::MAX, |stripe| keep(stripes, stripe));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_has_a_width() {
+        assert!(LineDetection { min_line_width: 0.085, ..LineDetection::DEFAULT }.is_ordered().is_err());
+    }
 }

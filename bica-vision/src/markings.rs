@@ -1,5 +1,8 @@
 //! Field markings: lines, their crossings, and the centre circle.
 
+use bica_core::Params;
+use bica_macros::Params;
+
 use crate::centre_circle::{self, CentreCircle};
 use crate::colour::Classify;
 use crate::crossings::{self, Crossings};
@@ -7,29 +10,28 @@ use crate::frame::Frame;
 use crate::lines::{self, Line, Lines};
 use crate::projection::Camera;
 
-/// Limits of the field markings.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MarkingTuning {
-    /// Maximum distance of a line from the robot, m.
+/// Detection of markings among lines.
+#[derive(Clone, Copy, Debug, PartialEq, Params)]
+#[params(crate = bica_core)]
+pub struct MarkingDetection {
+    /// Maximum distance of a line.
+    #[param(default = 4.5, range = 0.5..=10.0, unit = "m", step = 0.1)]
     pub max_line_distance: f32,
-    /// Maximum distance of a crossing from the robot, m.
+    /// Maximum distance of a crossing.
+    #[param(default = 3.5, range = 0.5..=10.0, unit = "m", step = 0.1)]
     pub max_crossing_distance: f32,
-    /// Minimum total length of the segments on the centre circle, m.
+    /// Minimum total length of the line segments on the centre circle.
+    #[param(default = 0.5, range = 0.1..=4.0, unit = "m", step = 0.05)]
     pub min_circle_length: f32,
-    /// Minimum share of the visible part of the centre circle that shows a line, 0 to 1.
+    /// Minimum share of the visible part of the centre circle that shows a line.
+    #[param(default = 0.75, range = 0.0..=1.0, step = 0.05)]
     pub min_circle_share: f32,
-}
-
-impl MarkingTuning {
-    /// The default limits.
-    pub const DEFAULT: Self =
-        Self { max_line_distance: 4.5, max_crossing_distance: 3.5, min_circle_length: 0.5, min_circle_share: 0.75 };
 }
 
 /// Visible field markings: m, camera's ground frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Markings {
-    /// Straight line segments, up to [`MarkingTuning::max_line_distance`] away.
+    /// Straight line segments, up to [`MarkingDetection::max_line_distance`] away.
     pub lines: Lines,
     /// Line crossings.
     pub crossings: Crossings,
@@ -44,7 +46,7 @@ impl Markings {
     /// Projects the lines of an image, px, to the ground and finds the other markings. Cost: 8 µs, up to 50 µs with many lines.
     #[must_use]
     pub fn of(frame: &Frame<'_>, colours: &impl Classify, camera: &Camera, lines: &[Line]) -> Self {
-        Self::of_tuned(frame, colours, camera, lines, &MarkingTuning::DEFAULT)
+        Self::of_tuned(frame, colours, camera, lines, &MarkingDetection::DEFAULT)
     }
 
     /// Finds the markings as [`of`](Self::of) does, with limits of the caller.
@@ -54,7 +56,7 @@ impl Markings {
         colours: &impl Classify,
         camera: &Camera,
         lines: &[Line],
-        tuning: &MarkingTuning,
+        tuning: &MarkingDetection,
     ) -> Self {
         let lines = lines::on_ground(lines, camera, tuning.max_line_distance);
         let circle = centre_circle::find(frame, colours, camera, &lines, tuning);

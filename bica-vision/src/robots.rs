@@ -10,6 +10,8 @@
 
 mod stand;
 
+use bica_core::Params;
+use bica_macros::Params;
 use glam::Vec2;
 use heapless::Vec;
 
@@ -37,48 +39,55 @@ const RED: Filter = Filter::ANY.hue(85, 118).saturation(30, 400).chroma(24);
 /// Blue plastic of the blue team, darker and more violet than the sky-blue goal.
 const BLUE: Filter = Filter::ANY.hue(334, 359).saturation(30, 400).chroma(16);
 
-/// Thresholds of the robot detector.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RobotTuning {
-    /// Minimum height of a robot without a gap of green, m: its shoulders.
+/// Maximum width of a robot, m.
+const MAX_WIDTH: f32 = 0.9;
+
+/// Detection of other robots in an image.
+#[derive(Clone, Copy, Debug, PartialEq, Params)]
+#[params(crate = bica_core, check = Self::is_ordered)]
+pub struct RobotDetection {
+    /// Minimum height of a robot without a gap of green: its shoulders.
+    #[param(default = 0.35, range = 0.05..=1.0, unit = "m", step = 0.01)]
     pub min_height: f32,
-    /// Maximum height of a robot, m.
+    /// Maximum height of a robot.
+    #[param(default = 0.6, range = 0.05..=1.5, unit = "m", step = 0.01)]
     pub max_height: f32,
-    /// Minimum width of a robot, m.
+    /// Minimum width of a robot.
+    #[param(default = 0.08, range = 0.01..=0.9, unit = "m", step = 0.01)]
     pub min_width: f32,
-    /// Maximum width of a robot, m.
-    pub max_width: f32,
-    /// Maximum width of one robot, m; anything wider is two robots side by side. A NAO is 0.3 m from arm to arm.
+    /// Maximum width of one robot; anything wider is two robots side by side.
+    #[param(default = 0.38, range = 0.05..=0.9, unit = "m", step = 0.01)]
     pub max_single_width: f32,
-    /// Maximum gap between columns of one robot, m: the space between arm and leg.
+    /// Maximum gap between columns of one robot: the space between arm and leg.
+    #[param(default = 0.18, range = 0.01..=0.5, unit = "m", step = 0.01)]
     pub max_gap: f32,
-    /// Minimum distance of a foot below the field boundary, as a share of the frame height.
+    /// Minimum distance of a foot below the field boundary, as a share of the image height.
+    #[param(default = 0.025, range = 0.0..=0.3, step = 0.005)]
     pub boundary_margin: f32,
     /// Length of green that ends a robot, as a share of its minimum height: shoes and shadows contain some green.
+    #[param(default = 0.03, range = 0.0..=0.5, step = 0.01)]
     pub max_green: f32,
     /// Maximum share of goal and ball colours in a column of a robot.
+    #[param(default = 0.3, range = 0.0..=1.0, step = 0.05)]
     pub max_other_colours: f32,
     /// Minimum share of white in a column of a robot.
+    #[param(default = 0.15, range = 0.0..=1.0, step = 0.05)]
     pub min_white: f32,
-    /// Minimum share of a robot's box with the team colour.
+    /// Minimum share of the team colour in the box around a robot.
+    #[param(default = 0.01, range = 0.0..=0.2, step = 0.001)]
     pub min_team_colour: f32,
 }
 
-impl RobotTuning {
-    /// The default thresholds.
-    pub const DEFAULT: Self = Self {
-        min_height: 0.35,
-        max_height: 0.6,
-        min_width: 0.08,
-        max_width: 0.9,
-        max_single_width: 0.38,
-        max_gap: 0.18,
-        boundary_margin: 0.025,
-        max_green: 0.03,
-        max_other_colours: 0.3,
-        min_white: 0.15,
-        min_team_colour: 0.01,
-    };
+impl RobotDetection {
+    const fn is_ordered(&self) -> Result<(), &'static str> {
+        if self.min_height > self.max_height {
+            Err("`min_height` must not be above `max_height`")
+        } else if self.min_width > self.max_single_width {
+            Err("`min_width` must not be above `max_single_width`")
+        } else {
+            Ok(())
+        }
+    }
 }
 
 /// Team of 2009, named by its colour.
@@ -139,7 +148,7 @@ pub fn find(
     field_boundary: &FieldBoundary,
     camera: Option<&Camera>,
 ) -> Robots {
-    find_tuned(frame, colours, field_boundary, camera, &RobotTuning::DEFAULT)
+    find_tuned(frame, colours, field_boundary, camera, &RobotDetection::DEFAULT)
 }
 
 /// Finds the robots as [`find`] does, with thresholds of the caller.
@@ -149,7 +158,7 @@ pub fn find_tuned(
     colours: &impl Classify,
     field_boundary: &FieldBoundary,
     camera: Option<&Camera>,
-    tuning: &RobotTuning,
+    tuning: &RobotDetection,
 ) -> Robots {
     let scan = Scan { frame, colours, field_boundary, camera, tuning };
     let pitch = f32::from(frame.width()) / COLUMNS as f32;
@@ -196,7 +205,7 @@ struct Scan<'a, C> {
     colours: &'a C,
     field_boundary: &'a FieldBoundary,
     camera: Option<&'a Camera>,
-    tuning: &'a RobotTuning,
+    tuning: &'a RobotDetection,
 }
 
 impl<C: Classify> Scan<'_, C> {
@@ -276,7 +285,7 @@ impl<C: Classify> Scan<'_, C> {
             let [left, right] = [robot.min.x, robot.max.x].map(|x| camera.ground(Vec2::new(x, robot.max.y), 0.0));
             let (left, right) = (left?, right?);
             let width = left.distance(right);
-            if !(self.tuning.min_width..=self.tuning.max_width).contains(&width) {
+            if !(self.tuning.min_width..=MAX_WIDTH).contains(&width) {
                 return None;
             }
             let top = camera.pixel(left.midpoint(right).extend(self.tuning.max_height))?;
@@ -361,6 +370,15 @@ mod tests {
             }
             pairs.into_flattened()
         })
+    }
+
+    #[test]
+    fn sizes_are_ordered() {
+        let robot = RobotDetection::DEFAULT;
+        assert!(RobotDetection { min_height: 0.61, ..robot }.is_ordered().is_err());
+        assert!(RobotDetection { min_width: 0.39, ..robot }.is_ordered().is_err());
+        assert!(RobotDetection { max_single_width: 0.07, ..robot }.is_ordered().is_err());
+        assert!(RobotDetection { max_single_width: 0.08, ..robot }.is_ordered().is_ok());
     }
 
     proptest! {

@@ -3,9 +3,10 @@
 //! A ridge begins where luma rises above the carpet and ends where it falls below the mid-level again. So a line thinner than a
 //! pixel is found too, although none of its pixels is white. The colour class is read only at both sides and in the middle.
 
+use bica_core::Params;
 use heapless::Vec;
 
-use super::LineTuning;
+use super::LineDetection;
 use super::edge_scan::{LANES, ParallelScan};
 use super::stripe::Axes;
 use crate::colour::{Classify, Colour};
@@ -39,7 +40,7 @@ pub(super) struct Scan<'a, C> {
     pub(super) across: u16,
     /// Maximum width of a ridge, px.
     widest: u16,
-    tuning: &'a LineTuning,
+    tuning: &'a LineDetection,
 }
 
 /// Ridge in progress.
@@ -53,8 +54,8 @@ struct Open {
 pub(super) fn in_parallel<C: Classify>(scans: &[(Scan<'_, C>, u16)], end: u16) -> [Ridges; LANES] {
     let mut found = [const { Ridges::new() }; LANES];
     let mut left = [RISES; LANES];
-    let min_rise = scans.first().map_or(LineTuning::DEFAULT.min_rise, |(scan, _)| scan.tuning.min_rise);
-    let mut parallel = ParallelScan::new(scans.iter().map(|(scan, first)| (scan.lumas, *first)), min_rise);
+    let min_rise = scans.first().map_or(LineDetection::DEFAULT.min_rise, |(scan, _)| scan.tuning.min_rise);
+    let mut parallel = ParallelScan::new(scans.iter().map(|(scan, first)| (scan.lumas, *first)), min_rise as i16);
     while let Some(mut rise) = parallel.next_rise(end) {
         while rise.lanes != 0 {
             let lane = rise.lanes.trailing_zeros() as usize;
@@ -79,7 +80,7 @@ impl<'a, C: Classify> Scan<'a, C> {
         axes: Axes,
         across: u16,
         widest: u16,
-        tuning: &'a LineTuning,
+        tuning: &'a LineDetection,
     ) -> Self {
         let (lumas, pixels) = match axes {
             Axes::Columns => (frame.luma_column(across), frame.strip_of_column(across)),
@@ -139,7 +140,7 @@ impl<'a, C: Classify> Scan<'a, C> {
     fn is_white(&self, at: u16, rise: i32) -> bool {
         match self.class(at) {
             Colour::White | Colour::None => true,
-            Colour::Green => rise >= self.tuning.min_thin_rise,
+            Colour::Green => rise >= self.tuning.min_thin_rise as i32,
             Colour::Orange | Colour::Yellow | Colour::Blue => false,
         }
     }

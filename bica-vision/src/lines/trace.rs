@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::LineTuning;
+use super::LineDetection;
 use super::stripe::Stripe;
 use crate::frame::Frame;
 use crate::projection::Camera;
@@ -24,7 +24,7 @@ pub(super) fn to_the_ends(stripe: Stripe, frame: &Frame<'_>) -> Stripe {
 }
 
 /// Whether a segment has a line's width on the ground.
-pub(super) fn is_of_width(stripe: &Stripe, camera: &Camera, tuning: &LineTuning) -> bool {
+pub(super) fn is_of_width(stripe: &Stripe, camera: &Camera, tuning: &LineDetection) -> bool {
     let Some(along) = (stripe.to - stripe.from).try_normalize() else { return false };
     let width = |middle: Vec2, pixels: f32| {
         let aside = 0.5 * pixels.max(0.0) * along.perp();
@@ -36,7 +36,7 @@ pub(super) fn is_of_width(stripe: &Stripe, camera: &Camera, tuning: &LineTuning)
     let middle = stripe.from.midpoint(stripe.to);
     let least = width(middle, stripe.width - 1.0);
     let most = width(middle, stripe.width + 1.0);
-    least.is_some_and(|least| least <= tuning.max_width) && most.is_none_or(|most| most >= tuning.min_width)
+    least.is_some_and(|least| least <= tuning.max_line_width) && most.is_none_or(|most| most >= tuning.min_line_width)
 }
 
 struct Trace<'a> {

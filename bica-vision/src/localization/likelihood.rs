@@ -13,7 +13,7 @@ use heapless::Vec;
 
 use super::approximate::{direction, exp2, log2, sqrt};
 use super::map::{HALF, least, line_distance_squared};
-use super::{LocalizerTuning, POINTS, POSTS, PostSighting, Sightings};
+use super::{SightingUse, POINTS, POSTS, PostSighting, Sightings};
 use crate::crossings::CROSSINGS;
 use crate::goal::PostSide;
 
@@ -90,7 +90,7 @@ enum DistanceMeasure {
 }
 
 impl Observation {
-    pub(super) fn new(sightings: &Sightings, tuning: &LocalizerTuning) -> Self {
+    pub(super) fn new(sightings: &Sightings, tuning: &SightingUse) -> Self {
         let position = |place: Vec2| Position { place, precision: square(1.0 / deviation(place, tuning)) };
         let crossing = |(kind, seen): &(CrossingKind, Pose2)| SeenCrossing {
             position: position(seen.position),
@@ -156,7 +156,7 @@ impl SeenCrossing {
 }
 
 impl SeenPost {
-    fn new(post: &PostSighting, tuning: &LocalizerTuning) -> Self {
+    fn new(post: &PostSighting, tuning: &SightingUse) -> Self {
         let [left, right] = FIELD.goal_posts(post.attacked);
         let known = match post.side {
             PostSide::Left => [left; 2],
@@ -219,7 +219,7 @@ fn with_outliers(floor: f32, square: f32) -> f32 {
 }
 
 /// Standard deviation of a ground position, m.
-fn deviation(place: Vec2, tuning: &LocalizerTuning) -> f32 {
+fn deviation(place: Vec2, tuning: &SightingUse) -> f32 {
     CLOSE + tuning.elevation_error * (place.length_squared() + EYE * EYE) / EYE
 }
 
@@ -230,12 +230,14 @@ const fn square(value: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::super::random::Random;
+    use bica_core::Params;
+
     use super::*;
     use crate::centre_circle::CentreCircle;
     use crate::localization::map;
 
     /// The same model with angles, all lines and crossings, and a mathematical library.
-    fn reference(pose: &Pose2, sightings: &Sightings, tuning: &LocalizerTuning) -> f32 {
+    fn reference(pose: &Pose2, sightings: &Sightings, tuning: &SightingUse) -> f32 {
         let off = |from: f32, place: Vec2| square(from / deviation(place, tuning));
         let point = |at: &Vec2| with_outliers(POINT_FLOOR, off(FIELD.line_distance(pose.place(*at)), *at));
         let points: f32 = sightings.points.iter().map(point).product();
@@ -311,7 +313,7 @@ mod tests {
 
     #[test]
     fn likelihood_is_that_of_model_with_angles() {
-        let (mut random, tuning) = (Random::new(5), LocalizerTuning::DEFAULT);
+        let (mut random, tuning) = (Random::new(5), SightingUse::DEFAULT);
         let mut likely = 0;
         for _ in 0..5000 {
             let truth = somewhere(&mut random);

@@ -18,6 +18,7 @@ mod sensor_resetting;
 mod sightings;
 mod tuning;
 
+use bica_core::Params;
 use bica_field::{CrossingKind, FIELD};
 use bica_motion::pose::{Pose2, wrap};
 use glam::{Mat3, Vec2, Vec3};
@@ -27,7 +28,7 @@ use libm::fabsf;
 use self::approximate::{direction, exp2, log2};
 use self::likelihood::Observation;
 use self::random::Random;
-pub use self::tuning::LocalizerTuning;
+pub use self::tuning::{MotionNoise, SightingUse};
 use crate::centre_circle::CentreCircle;
 use crate::crossings::CROSSINGS;
 use crate::goal::PostSide;
@@ -112,7 +113,7 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// Whether most particles agree on the pose: at least [`LocalizerTuning::sure_share`].
+    /// Whether most particles agree on the pose: at least [`SightingUse::sure_share`].
     #[must_use]
     pub const fn is_sure(&self) -> bool {
         self.is_sure
@@ -136,7 +137,8 @@ pub struct Localizer<const N: usize> {
     scattered: bool,
     fit: (f32, f32),
     estimate: Option<Estimate>,
-    tuning: LocalizerTuning,
+    noise: MotionNoise,
+    use_of_sightings: SightingUse,
 }
 
 impl<const N: usize> Localizer<N> {
@@ -149,13 +151,14 @@ impl<const N: usize> Localizer<N> {
             scattered: false,
             fit: (0.0, 0.0),
             estimate: None,
-            tuning: LocalizerTuning::DEFAULT,
+            noise: MotionNoise::DEFAULT,
+            use_of_sightings: SightingUse::DEFAULT,
         }
     }
 
     /// Sets the errors and shares to use from now on.
-    pub const fn set_tuning(&mut self, tuning: &LocalizerTuning) {
-        self.tuning = *tuning;
+    pub const fn set_tuning(&mut self, noise: &MotionNoise, use_of_sightings: &SightingUse) {
+        (self.noise, self.use_of_sightings) = (*noise, *use_of_sightings);
     }
 
     /// Pose with the most particles; `None` before the first sighting.
@@ -176,7 +179,7 @@ impl<const N: usize> Localizer<N> {
             return;
         }
         let (way, turn) = (motion.position.length(), fabsf(motion.heading));
-        let noise = &self.tuning;
+        let noise = &self.noise;
         let aside = noise.distance_noise * way + noise.distance_noise_of_turn * turn;
         let askew = noise.turn_noise * turn + noise.turn_noise_of_distance * way;
         for particle in &mut self.particles {
@@ -208,7 +211,7 @@ impl<const N: usize> Localizer<N> {
                 *particle = sensor_resetting::anywhere(&mut self.random);
             }
         }
-        let observation = Observation::new(&sightings, &self.tuning);
+        let observation = Observation::new(&sightings, &self.use_of_sightings);
         let mut weights = [0.0; N];
         for (weight, particle) in weights.iter_mut().zip(&self.particles) {
             *weight = observation.likelihood(particle);
@@ -226,7 +229,7 @@ impl<const N: usize> Localizer<N> {
         self.fit = (follow(self.fit.0, SLOW), follow(self.fit.1, FAST));
         let worse = if self.fit.0 > 0.0 { 1.0 - self.fit.1 / self.fit.0 } else { 0.0 };
         let is_sure = self.estimate.is_some_and(|estimate| estimate.is_sure());
-        worse.clamp(0.0, 0.5).max(if is_sure { self.tuning.new_share } else { self.tuning.new_share_if_unsure })
+        worse.clamp(0.0, 0.5).max(if is_sure { self.use_of_sightings.new_share } else { self.use_of_sightings.new_share_if_unsure })
     }
 
     fn resample(&mut self, weights: &[f32; N], sightings: &Sightings, fit: f32) {
@@ -268,7 +271,7 @@ impl<const N: usize> Localizer<N> {
         let last = self.estimate.filter(|last| deviation(pose, last.pose).is_some());
         let of_sightings = last.map_or(spread, |last| covariance::seen(&last.of_sightings, observation, &pose));
         let covariance = of_sightings + spread * (DOUBT * (1.0 - belief));
-        Some(Estimate { pose, belief, covariance, of_sightings, is_sure: belief >= self.tuning.sure_share })
+        Some(Estimate { pose, belief, covariance, of_sightings, is_sure: belief >= self.use_of_sightings.sure_share })
     }
 
     /// Deviations of the particles near a pose from it.

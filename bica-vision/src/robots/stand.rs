@@ -1,6 +1,6 @@
 //! Obstacle in one column, from its foot upwards.
 
-use super::RobotTuning;
+use super::RobotDetection;
 use crate::colour::Colour;
 
 /// Obstacle in one column during the scan.
@@ -15,7 +15,7 @@ pub(super) struct Stand {
 }
 
 impl Stand {
-    pub(super) fn new(base: f32, least: f32, class: Colour, tuning: &RobotTuning) -> Self {
+    pub(super) fn new(base: f32, least: f32, class: Colour, tuning: &RobotDetection) -> Self {
         let max_green = (tuning.max_green * least).max(2.0);
         let mut stand = Self { base, top: base, least, counts: [0.0; 3], green: 0.0, max_green };
         stand.add(class, base, tuning);
@@ -23,7 +23,7 @@ impl Stand {
     }
 
     /// Adds the class of the next two rows. Returns whether the obstacle is a robot for certain.
-    pub(super) fn add(&mut self, class: Colour, row: f32, tuning: &RobotTuning) -> bool {
+    pub(super) fn add(&mut self, class: Colour, row: f32, tuning: &RobotDetection) -> bool {
         let [all, wrong, white] = &mut self.counts;
         *all += 2.0;
         match class {

@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 use bica::visual::ImagePolyline;
-use bica_vision::field_boundary::{BoundaryTuning, COLUMNS, FieldBoundary as Line};
+use bica_vision::field_boundary::{BoundaryDetection, COLUMNS, FieldBoundary as Line};
 use bica_vision::frame::Frame;
 use bica_vision::projection::Camera;
 use glam::Vec2;
@@ -10,35 +10,6 @@ use glam::Vec2;
 use super::ego_motion::LastImage;
 use crate::input::{CameraInput, Colours};
 use crate::shapes;
-
-/// Detection of the field boundary.
-#[derive(Params)]
-pub struct BoundaryDetection {
-    /// Minimum excess of green over other colours in a column, as a share of its scanned pixels.
-    #[param(default = 0.03, range = 0.0..=0.5, step = 0.005)]
-    min_green: f32,
-    /// Length of a gap in the green that ends the carpet, as a share of the image height.
-    #[param(default = 0.025, range = 0.0..=0.5, step = 0.005)]
-    max_gap: f32,
-    /// Maximum distance of an inlier from a side of the carpet, as a share of the image height.
-    #[param(default = 0.015, range = 0.001..=0.1, step = 0.001)]
-    inlier_distance: f32,
-    /// Minimum score of a side of the carpet: number of inlying columns, of 40, minus number of columns above it.
-    #[param(default = 4, range = 1..=40)]
-    min_score: i32,
-}
-
-impl BoundaryDetection {
-    const fn tuning(&self) -> BoundaryTuning {
-        BoundaryTuning {
-            min_green: self.min_green,
-            max_gap: self.max_gap,
-            inlier_distance: self.inlier_distance,
-            min_score: self.min_score,
-            ..BoundaryTuning::DEFAULT
-        }
-    }
-}
 
 /// The field boundary in the newest image (the paper's "end of field"). Pixels above it do not show the field.
 #[derive(Debug)]
@@ -57,7 +28,7 @@ impl FieldBoundary {
 
     fn step(&mut self, tuned: &Tuned<BoundaryDetection>, input: &CameraInput, colours: &Colours) {
         if self.image.take_new(input) {
-            let find = |frame: Frame<'_>| Line::find_tuned(&frame, colours.table(), None, &tuned.tuning());
+            let find = |frame: Frame<'_>| Line::find_tuned(&frame, colours.table(), None, tuned);
             self.line = Frame::from_image(&input.image()).map_or(Line::NONE, find);
         }
     }
@@ -90,15 +61,5 @@ impl FieldBoundary {
     #[must_use]
     pub const fn line(&self) -> &Line {
         &self.line
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn default_values_are_those_of_detector() {
-        assert_eq!(BoundaryDetection::DEFAULT.tuning(), BoundaryTuning::DEFAULT);
     }
 }

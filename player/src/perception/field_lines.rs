@@ -1,20 +1,16 @@
 //! The field markings.
 
-mod params;
-
 use bica::prelude::*;
 use bica::visual::{List, Point2, Segment};
 use bica_vision::frame::Frame;
-use bica_vision::lines::{self, Line};
-use bica_vision::markings::Markings;
+use bica_vision::lines::{self, Line, LineDetection};
+use bica_vision::markings::{MarkingDetection, Markings};
 use glam::Vec2;
 
 use super::ego_motion::LastImage;
 use super::{CameraPose, FieldBoundary, OwnBody, RobotDetector};
 use crate::input::{CameraInput, Colours};
 use crate::shapes;
-
-pub use params::{LineDetection, MarkingDetection};
 
 /// Maximum number of published line segments.
 const DRAWN: usize = 16;
@@ -52,10 +48,10 @@ impl FieldLines {
         self.markings = Markings::NONE;
         let Ok(frame) = Frame::from_image(&input.image()) else { return };
         let Some(camera) = pose.camera() else { return };
-        let mut lines = lines::find_tuned(&frame, colours.table(), end.line(), Some(camera), &line.tuning());
+        let mut lines = lines::find_tuned(&frame, colours.table(), end.line(), Some(camera), line);
         let on_robot = |at: Vec2| own.body().covers(at) || robots.covers(at);
         lines.retain(|line| !on_robot(line.from.midpoint(line.to)));
-        self.markings = Markings::of_tuned(&frame, colours.table(), camera, &lines, &marking.tuning());
+        self.markings = Markings::of_tuned(&frame, colours.table(), camera, &lines, marking);
     }
 
     /// Number of line segments.

@@ -1,12 +1,10 @@
 //! Self-localization on the field.
 
-mod params;
-
 use bica::prelude::*;
 use bica::visual::{self, Point2, PoseWithCovariance2};
 use bica_field::{FIELD, FieldDimensions};
 use bica_motion::pose::Pose2;
-use bica_vision::localization::{Estimate, Localizer, Sightings};
+use bica_vision::localization::{Estimate, Localizer, MotionNoise, SightingUse, Sightings};
 use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
@@ -14,7 +12,6 @@ use super::{CameraPose, FieldLines, GoalDetector, Odometry};
 use crate::input::CameraInput;
 use crate::shapes;
 
-pub use params::{MotionNoise, SightingUse};
 
 /// Number of particles.
 const PARTICLES: usize = 200;
@@ -48,7 +45,7 @@ impl Localization {
         pose: &CameraPose,
         odometry: &Odometry,
     ) {
-        self.localizer.set_tuning(&params::tuning(motion, sightings));
+        self.localizer.set_tuning(motion, sightings);
         let is_new = self.ego_motion.begin_run(time, odometry, input, |motion, _| self.localizer.advance(motion));
         let Some(camera) = pose.camera().filter(|_| is_new) else { return };
         self.localizer.see(Sightings::of(lines.markings(), goals.goals(), goals.attacked(), camera));

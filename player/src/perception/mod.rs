@@ -19,13 +19,13 @@ pub use ball_detector::{BallDetection, BallDetector, BallSighting, BallTracking}
 pub use bearing::Bearing;
 pub use camera_pose::{CameraErrors, CameraMounting, CameraPose};
 pub use fall_detector::{FallDetection, FallDetector};
-pub use field_boundary::{BoundaryDetection, FieldBoundary};
-pub use field_lines::{FieldLines, LineDetection, MarkingDetection};
+pub use field_boundary::FieldBoundary;
+pub use field_lines::FieldLines;
 pub use goal_detector::{GoalDetection, GoalDetector, GoalTracking};
-pub use localization::{Localization, MotionNoise, SightingUse};
+pub use localization::Localization;
 pub use odometry::{Odometry, OdometryCorrection};
 pub use own_body::{OwnBody, OwnShape};
-pub use robot_detector::{RobotDetection, RobotDetector, RobotTracking};
+pub use robot_detector::{RobotDetector, RobotTracking};
 
 /// Counts a cycle for what perception estimates. A robot calls it in each `sense`: what a component that does not run has estimated
 /// becomes old, and readers do not get it any more.

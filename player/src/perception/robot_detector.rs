@@ -7,7 +7,7 @@ use bica::visual::{List, Point2};
 use bica_vision::frame::Frame;
 use bica_vision::memory::multi_target::MultiTargetMemory;
 use bica_vision::memory::{PositionEstimate, visibility};
-use bica_vision::robots::{self, Robot, Robots};
+use bica_vision::robots::{self, Robot, RobotDetection, Robots};
 use bica_vision::uncertainty;
 use glam::Vec2;
 
@@ -16,7 +16,7 @@ use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
 use crate::input::{CameraInput, Colours};
 use crate::shapes;
 
-pub use params::{RobotDetection, RobotTracking};
+pub use params::RobotTracking;
 
 /// Maximum number of remembered robots.
 const REMEMBERED: usize = 4;
@@ -56,7 +56,7 @@ impl RobotDetector {
             return;
         }
         if let Ok(frame) = Frame::from_image(&input.image()) {
-            self.robots = robots::find_tuned(&frame, colours.table(), end.line(), pose.camera(), &detection.tuning());
+            self.robots = robots::find_tuned(&frame, colours.table(), end.line(), pose.camera(), detection);
             self.robots.retain(|robot| !own.body().covers(robot.base()));
             self.remember(tracking, pose, own, Vec2::new(frame.width().into(), frame.height().into()));
         }

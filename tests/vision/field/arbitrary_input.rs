@@ -2,6 +2,7 @@
 
 use std::f32::consts::PI;
 
+use bica_core::Params;
 use bica_field::{CrossingKind, FIELD, GoalColour};
 use bica_motion::pose::Pose2;
 use bica_vision::centre_circle::{self, CentreCircle};
@@ -11,7 +12,7 @@ use bica_vision::frame::Frame;
 use bica_vision::goal::{GoalFinder, PostSide};
 use bica_vision::lines::{self, Line};
 use bica_vision::localization::{Localizer, PostSighting, Sightings};
-use bica_vision::markings::{MarkingTuning, Markings};
+use bica_vision::markings::{MarkingDetection, Markings};
 use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::projection::{Camera, Intrinsics};
 use bica_vision::robots;
@@ -136,7 +137,7 @@ proptest! {
     ) {
         let frame = Frame::new(160, 120, &bytes).expect("a frame");
         let lines: Vec<Line> = ends.into_iter().map(|(from, to)| Line { from, to }).collect();
-        let tuning = MarkingTuning::DEFAULT;
+        let tuning = MarkingDetection::DEFAULT;
         let circle = centre_circle::find(&frame, &BUILT_IN_TABLE, &camera, &lines, &tuning);
         prop_assert!(circle.is_none_or(|circle| circle.centre.is_finite()));
         let crossings = crossings::find(&frame, &BUILT_IN_TABLE, &camera, &lines, circle.as_ref(), tuning.max_crossing_distance);

@@ -2,73 +2,9 @@
 
 use bica::prelude::*;
 use bica_vision::memory::MemoryTuning;
-use bica_vision::robots::RobotTuning;
 
 use crate::perception::Odometry;
 
-/// Detection of other robots in an image.
-#[derive(Params)]
-#[params(check = Self::is_ordered)]
-pub struct RobotDetection {
-    /// Minimum height of a robot without a gap of green: its shoulders.
-    #[param(default = 0.35, range = 0.05..=1.0, unit = "m", step = 0.01)]
-    pub(super) min_height: f32,
-    /// Maximum height of a robot.
-    #[param(default = 0.6, range = 0.05..=1.5, unit = "m", step = 0.01)]
-    pub(super) max_height: f32,
-    /// Minimum width of a robot.
-    #[param(default = 0.08, range = 0.01..=0.9, unit = "m", step = 0.01)]
-    pub(super) min_width: f32,
-    /// Maximum width of one robot; anything wider is two robots side by side.
-    #[param(default = 0.38, range = 0.05..=0.9, unit = "m", step = 0.01)]
-    pub(super) max_single_width: f32,
-    /// Maximum gap between columns of one robot: the space between arm and leg.
-    #[param(default = 0.18, range = 0.01..=0.5, unit = "m", step = 0.01)]
-    pub(super) max_gap: f32,
-    /// Minimum distance of a foot below the field boundary, as a share of the image height.
-    #[param(default = 0.025, range = 0.0..=0.3, step = 0.005)]
-    pub(super) boundary_margin: f32,
-    /// Length of green that ends a robot, as a share of its minimum height: shoes and shadows contain some green.
-    #[param(default = 0.03, range = 0.0..=0.5, step = 0.01)]
-    pub(super) max_green: f32,
-    /// Maximum share of goal and ball colours in a column of a robot.
-    #[param(default = 0.3, range = 0.0..=1.0, step = 0.05)]
-    pub(super) max_other_colours: f32,
-    /// Minimum share of white in a column of a robot.
-    #[param(default = 0.15, range = 0.0..=1.0, step = 0.05)]
-    pub(super) min_white: f32,
-    /// Minimum share of the team colour in the box around a robot.
-    #[param(default = 0.01, range = 0.0..=0.2, step = 0.001)]
-    pub(super) min_team_colour: f32,
-}
-
-impl RobotDetection {
-    const fn is_ordered(&self) -> Result<(), &'static str> {
-        if self.min_height > self.max_height {
-            Err("`min_height` must not be above `max_height`")
-        } else if self.min_width > self.max_single_width {
-            Err("`min_width` must not be above `max_single_width`")
-        } else {
-            Ok(())
-        }
-    }
-
-    pub(super) const fn tuning(&self) -> RobotTuning {
-        RobotTuning {
-            min_height: self.min_height,
-            max_height: self.max_height,
-            min_width: self.min_width,
-            max_single_width: self.max_single_width,
-            max_gap: self.max_gap,
-            boundary_margin: self.boundary_margin,
-            max_green: self.max_green,
-            max_other_colours: self.max_other_colours,
-            min_white: self.min_white,
-            min_team_colour: self.min_team_colour,
-            ..RobotTuning::DEFAULT
-        }
-    }
-}
 
 /// Memory of a robot.
 #[derive(Params)]
@@ -121,17 +57,7 @@ mod tests {
 
     #[test]
     fn default_values_are_those_of_detector() {
-        assert_eq!(RobotDetection::DEFAULT.tuning(), RobotTuning::DEFAULT);
         let tuning = RobotTracking::DEFAULT.tuning(&Odometry::new());
         assert_eq!(tuning, MemoryTuning { half_life: 4.0, ..MemoryTuning::DEFAULT });
-    }
-
-    #[test]
-    fn sizes_are_ordered() {
-        let robot = || RobotDetection::DEFAULT;
-        assert!(RobotDetection { min_height: 0.61, ..robot() }.is_ordered().is_err());
-        assert!(RobotDetection { min_width: 0.39, ..robot() }.is_ordered().is_err());
-        assert!(RobotDetection { max_single_width: 0.07, ..robot() }.is_ordered().is_err());
-        assert!(RobotDetection { max_single_width: 0.08, ..robot() }.is_ordered().is_ok());
     }
 }

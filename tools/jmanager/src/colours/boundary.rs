@@ -1,8 +1,9 @@
 //! Detection of the field boundary in an image by the robot's own code.
 
-use bica_link::{Description, Param};
+use bica::Params;
+use bica_link::Description;
 use bica_vision::colour::Filters;
-use bica_vision::field_boundary::{BoundaryTuning, FieldBoundary};
+use bica_vision::field_boundary::{BoundaryDetection, FieldBoundary};
 use bica_vision::frame::Frame;
 use bica_vision::table::CompactTable;
 use serde::Deserialize;
@@ -52,7 +53,7 @@ fn find(tree: Option<&Description>, image: &Image, filters: &Filters) -> Result<
     let frame = Frame::new(image.width, image.height, &image.yuyv);
     let frame = frame.map_err(|error| Failed::new(error.to_string(), "choose another image"))?;
     let table = Box::new(CompactTable::compile(filters));
-    let tuning = tree.map_or(BoundaryTuning::DEFAULT, tuning);
+    let tuning = tree.map_or(BoundaryDetection::DEFAULT, tuning);
     let boundary = FieldBoundary::find_tuned(&frame, &*table, None, &tuning);
     let inlier_distance = tuning.inlier_distance * f32::from(image.height);
     let column = |(x, y): (f32, Option<f32>)| {
@@ -73,22 +74,13 @@ fn find(tree: Option<&Description>, image: &Image, filters: &Filters) -> Result<
 }
 
 /// Returns the thresholds that are in force in the robot.
-fn tuning(tree: &Description) -> BoundaryTuning {
-    let default = BoundaryTuning::DEFAULT;
-    let Some(component) = tree.components.iter().find(|one| one.name == COMPONENT) else { return default };
-    let number = |name: &str, otherwise: f32| {
-        let param = component.params.iter().find(|param| param.name == name);
-        match param.map(Param::current) {
-            Some(bica::Value::F32(value)) => value,
-            Some(bica::Value::I32(value)) => value as f32,
-            _ => otherwise,
+fn tuning(tree: &Description) -> BoundaryDetection {
+    let mut tuning = BoundaryDetection::DEFAULT;
+    let component = tree.components.iter().find(|one| one.name == COMPONENT);
+    for (index, threshold) in BoundaryDetection::GROUP.params.iter().enumerate() {
+        if let Some(own) = component.and_then(|one| one.params.iter().find(|own| own.name == threshold.name)) {
+            tuning.put(index, own.current());
         }
-    };
-    BoundaryTuning {
-        min_green: number("min_green", default.min_green),
-        max_gap: number("max_gap", default.max_gap),
-        inlier_distance: number("inlier_distance", default.inlier_distance),
-        min_score: number("min_score", default.min_score as f32) as i32,
-        ..default
     }
+    tuning
 }
