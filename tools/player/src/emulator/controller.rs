@@ -9,9 +9,9 @@ use bica_player::Forward;
 use bica_wire::message::{
     AnswerResult, Change, ClockMode, Hello, Identity, LeaseAction, Request, StackUsage, Telemetry,
 };
+use bica_wire::model::Invalid;
 use bica_wire::{FromMonitor, FromRobot, SCHEMA, ToMonitor, ToRobot, encode};
 
-use super::error::Error;
 use super::messages::{MESSAGES, SensorsMessage, decode_command};
 use super::qemu::{Emulator, Transport};
 
@@ -49,20 +49,20 @@ impl Controller {
     /// [`Emulator::start`].
     ///
     /// # Errors
-    /// Any [`Error`].
-    pub fn start(image: &Path, transport: Transport, attacks: GoalColour, log: Option<&Path>) -> Result<Self, Error> {
+    /// If QEMU cannot be started with the image, or the image is of other sources.
+    pub fn start(image: &Path, transport: Transport, attacks: GoalColour, log: Option<&Path>) -> Result<Self, Invalid> {
         Self::start_on(Emulator::start(image, transport, log)?, attacks)
     }
 
     /// Starts a game, in which the robot attacks the goal of a colour, on an image that was just started.
     ///
     /// # Errors
-    /// Any [`Error`].
-    pub fn start_on(mut emulator: Emulator, attacks: GoalColour) -> Result<Self, Error> {
+    /// If QEMU cannot be started with the image, or the image is of other sources.
+    pub fn start_on(mut emulator: Emulator, attacks: GoalColour) -> Result<Self, Invalid> {
         let link = emulator.link();
         let schema = link.receive_schema()?;
         if schema != SCHEMA {
-            return Err(Error::SchemaMismatch(schema));
+            return Err(super::error(format!("the image has schema {schema:016x}, this program {SCHEMA:016x}")));
         }
         let mut set_up = [0; 8];
         let set_up = encode(&attacks, &mut set_up).unwrap_or_default();
@@ -71,7 +71,8 @@ impl Controller {
         let (messages, counter_hz, image_bytes) =
             link.receive(identity(|identity| (identity.messages, identity.counter_hz, identity.image_bytes as usize)))?;
         if messages != MESSAGES {
-            return Err(Error::MessagesMismatch(messages));
+            let what = format!("the image has other sensor values or commands ({messages:016x}, this program {MESSAGES:016x})");
+            return Err(super::error(what));
         }
         let instructions_per_tick = 1_000_000_000 / u64::from(counter_hz.max(1));
         Ok(Self { emulator, last_image_id: 0, instructions_per_tick, image_bytes, lease: None, last_request: 0 })
@@ -91,8 +92,8 @@ impl Controller {
     /// Runs one sense-think-act cycle.
     ///
     /// # Errors
-    /// [`Error::Disconnected`], or [`Error::UnexpectedMessage`] if the robot's command is invalid.
-    pub fn cycle(&mut self, time_us: u64, sensors: &robot::Sensors<'_>) -> Result<CycleReport, Error> {
+    /// If the emulator has ended, or the robot's command is invalid.
+    pub fn cycle(&mut self, time_us: u64, sensors: &robot::Sensors<'_>) -> Result<CycleReport, Invalid> {
         let link = self.emulator.link();
         self.last_image_id = self.last_image_id.wrapping_add(u32::from(sensors.image.is_some()));
         let message = SensorsMessage::new(time_us, sensors, self.last_image_id);
@@ -104,7 +105,7 @@ impl Controller {
             _ => None,
         })?;
         if of_us != time_us {
-            return Err(Error::UnexpectedMessage(format!("a command for {of_us} µs at {time_us} µs")));
+            return Err(super::unexpected(format!("a command for {of_us} µs at {time_us} µs")));
         }
         let command = command?;
         let instructions_per_tick = self.instructions_per_tick;
@@ -117,8 +118,8 @@ impl Controller {
     /// Returns whether the image has a server for monitors, so that [`request`](Self::request) is possible.
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn has_monitors(&mut self) -> Result<bool, Error> {
+    /// If the emulator has ended.
+    pub fn has_monitors(&mut self) -> Result<bool, Invalid> {
         self.send(&FromMonitor::Attach)?;
         // The answer to this message shows that the previous message was not answered.
         self.emulator.link().send(&ToRobot::StackUsage)?;
@@ -133,8 +134,8 @@ impl Controller {
     /// Requests a change before the next cycle, as the operator.
     ///
     /// # Errors
-    /// [`Error::Disconnected`], or [`Error::UnexpectedMessage`] if the robot refuses the change.
-    pub fn request(&mut self, change: Change) -> Result<(), Error> {
+    /// If the emulator has ended, or the robot refuses the change.
+    pub fn request(&mut self, change: Change) -> Result<(), Invalid> {
         let lease = match self.lease {
             Some(lease) => lease,
             None => self.acquire()?,
@@ -153,18 +154,18 @@ impl Controller {
             }),
             _ => None,
         })?;
-        refusal.map_or(Ok(()), |text| Err(Error::UnexpectedMessage(format!("the robot refused a request: {text}"))))
+        refusal.map_or(Ok(()), |text| Err(super::unexpected(format!("the robot refused a request: {text}"))))
     }
 
     /// Keeps the lease, if there is one. It must be called at least once in 3 s of the robot's time.
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn keep(&mut self) -> Result<(), Error> {
+    /// If the emulator has ended.
+    pub fn keep(&mut self) -> Result<(), Invalid> {
         self.lease.map_or(Ok(()), |lease| self.send(&FromMonitor::Lease(LeaseAction::Keep { lease })))
     }
 
-    fn acquire(&mut self) -> Result<u64, Error> {
+    fn acquire(&mut self) -> Result<u64, Invalid> {
         self.send(&FromMonitor::Lease(LeaseAction::Acquire))?;
         let lease = self.emulator.link().receive(|message| match answer(&message)? {
             ToMonitor::Lease(lease) if lease.yours => Some(lease.lease),
@@ -174,18 +175,18 @@ impl Controller {
         Ok(lease)
     }
 
-    fn send(&mut self, message: &FromMonitor) -> Result<(), Error> {
+    fn send(&mut self, message: &FromMonitor) -> Result<(), Invalid> {
         let mut buffer = [0; bica_wire::MAX_PACKET];
         let bytes = postcard::to_slice(message, &mut buffer);
-        let bytes = bytes.map_err(|error| Error::UnexpectedMessage(error.to_string()))?;
+        let bytes = bytes.map_err(super::unexpected)?;
         self.emulator.link().send(&ToRobot::Monitor(bytes))
     }
 
     /// Requests the stack usage.
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn stack_usage(&mut self) -> Result<StackUsage, Error> {
+    /// If the emulator has ended.
+    pub fn stack_usage(&mut self) -> Result<StackUsage, Invalid> {
         self.emulator.link().send(&ToRobot::StackUsage)?;
         self.emulator.link().receive(|message| match message {
             FromRobot::StackUsage(usage) => Some(usage),

@@ -3,9 +3,8 @@
 use std::io::{Read, Write};
 
 use bica_wire::message::LinkStats;
+use bica_wire::model::Invalid;
 use bica_wire::{Decoder, Encoder, FromRobot, MAX_PACKET, Packet, ToRobot};
-
-use super::error::Error;
 
 /// The host's end of a link.
 #[derive(Debug)]
@@ -34,8 +33,8 @@ impl<R: Read, W: Write> Link<R, W> {
     /// Sends a message; see [`Tx::send`].
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn send(&mut self, message: &ToRobot<'_>) -> Result<(), Error> {
+    /// If the emulator has ended.
+    pub fn send(&mut self, message: &ToRobot<'_>) -> Result<(), Invalid> {
         self.tx.send(message)
     }
 
@@ -47,24 +46,24 @@ impl<R: Read, W: Write> Link<R, W> {
     /// Sends bytes; see [`Tx::write`].
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn write(&mut self, bytes: &[u8]) -> Result<(), Error> {
+    /// If the emulator has ended.
+    pub fn write(&mut self, bytes: &[u8]) -> Result<(), Invalid> {
         self.tx.write(bytes)
     }
 
     /// Receives messages; see [`Rx::receive`].
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn receive<T>(&mut self, select: impl FnMut(FromRobot<'_>) -> Option<T>) -> Result<T, Error> {
+    /// If the emulator has ended.
+    pub fn receive<T>(&mut self, select: impl FnMut(FromRobot<'_>) -> Option<T>) -> Result<T, Invalid> {
         self.rx.receive(select)
     }
 
     /// Waits for the robot's identity and returns its schema; see [`Rx::receive_schema`].
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn receive_schema(&mut self) -> Result<u64, Error> {
+    /// If the emulator has ended.
+    pub fn receive_schema(&mut self) -> Result<u64, Invalid> {
         self.rx.receive_schema()
     }
 }
@@ -80,8 +79,8 @@ impl<W: Write> Tx<W> {
     /// Sends a message.
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn send(&mut self, message: &ToRobot<'_>) -> Result<(), Error> {
+    /// If the emulator has ended.
+    pub fn send(&mut self, message: &ToRobot<'_>) -> Result<(), Invalid> {
         let packet = self.encode(message)?;
         self.write(&packet)
     }
@@ -89,11 +88,11 @@ impl<W: Write> Tx<W> {
     /// Encodes a message as the next packet without sending it.
     ///
     /// # Errors
-    /// [`Error::UnexpectedMessage`] if the message does not fit into a packet.
-    pub fn encode(&mut self, message: &ToRobot<'_>) -> Result<Vec<u8>, Error> {
+    /// If the message does not fit into a packet.
+    pub fn encode(&mut self, message: &ToRobot<'_>) -> Result<Vec<u8>, Invalid> {
         let mut buffer = [0; MAX_PACKET];
         let packet = self.encoder.encode(message, &mut buffer);
-        packet.map(<[u8]>::to_vec).map_err(|error| Error::UnexpectedMessage(error.to_string()))
+        packet.map(<[u8]>::to_vec).map_err(super::unexpected)
     }
 
     /// Skips a sequence number, as if a packet had been lost.
@@ -105,9 +104,9 @@ impl<W: Write> Tx<W> {
     /// Sends bytes, which need not be packets.
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn write(&mut self, bytes: &[u8]) -> Result<(), Error> {
-        self.inner.write_all(bytes).and_then(|()| self.inner.flush()).map_err(Error::Disconnected)
+    /// If the emulator has ended.
+    pub fn write(&mut self, bytes: &[u8]) -> Result<(), Invalid> {
+        self.inner.write_all(bytes).and_then(|()| self.inner.flush()).map_err(super::disconnected)
     }
 }
 
@@ -125,16 +124,16 @@ impl<R: Read> Rx<R> {
     /// Waits for a message for which `select` returns a value. Other messages are dropped.
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn receive<T>(&mut self, mut select: impl FnMut(FromRobot<'_>) -> Option<T>) -> Result<T, Error> {
+    /// If the emulator has ended.
+    pub fn receive<T>(&mut self, mut select: impl FnMut(FromRobot<'_>) -> Option<T>) -> Result<T, Invalid> {
         self.receive_packet(|packet| packet.message().ok().and_then(&mut select))
     }
 
     /// Waits for the robot's identity and returns its schema, which may differ from that of this program.
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn receive_schema(&mut self) -> Result<u64, Error> {
+    /// If the emulator has ended.
+    pub fn receive_schema(&mut self) -> Result<u64, Invalid> {
         #[expect(
             clippy::redundant_closure_for_method_calls,
             reason = "the method is not general over the packet's lifetime"
@@ -142,7 +141,7 @@ impl<R: Read> Rx<R> {
         self.receive_packet(|packet| packet.identity_schema())
     }
 
-    fn receive_packet<T>(&mut self, mut select: impl FnMut(&Packet<'_>) -> Option<T>) -> Result<T, Error> {
+    fn receive_packet<T>(&mut self, mut select: impl FnMut(&Packet<'_>) -> Option<T>) -> Result<T, Invalid> {
         loop {
             while let Some(&byte) = self.buffer.get(self.consumed) {
                 self.consumed += 1;
@@ -154,11 +153,11 @@ impl<R: Read> Rx<R> {
         }
     }
 
-    fn fill(&mut self) -> Result<(), Error> {
+    fn fill(&mut self) -> Result<(), Invalid> {
         self.buffer.resize(4096, 0);
-        let count = self.inner.read(&mut self.buffer).map_err(Error::Disconnected)?;
+        let count = self.inner.read(&mut self.buffer).map_err(super::disconnected)?;
         self.buffer.truncate(count);
         self.consumed = 0;
-        if count == 0 { Err(Error::Disconnected(std::io::ErrorKind::UnexpectedEof.into())) } else { Ok(()) }
+        if count == 0 { Err(super::disconnected(std::io::ErrorKind::UnexpectedEof.into())) } else { Ok(()) }
     }
 }

@@ -2,9 +2,8 @@
 
 use bica_motion::robot::{Command, Sensors};
 use bica_wire::message::{self, BlobsInfo};
+use bica_wire::model::Invalid;
 use bica_wire::{ToRobot, blobs, chunks, messages_hash};
-
-use super::error::Error;
 
 /// Hash of the schemas of a humanoid's sensor values and command.
 pub const MESSAGES: u64 = messages_hash::<Sensors<'static>, Command>();
@@ -51,10 +50,10 @@ impl SensorsMessage {
 /// Decodes a command.
 ///
 /// # Errors
-/// [`Error::UnexpectedMessage`] if the command cannot be decoded, or contains a value that is not finite or out of range.
-pub fn decode_command(message: &message::Command<'_>) -> Result<Command, Error> {
+/// If the command cannot be decoded, or contains a value that is not finite or out of range.
+pub fn decode_command(message: &message::Command<'_>) -> Result<Command, Invalid> {
     let command: Option<Command> = blobs::decode(message.values, &[]);
-    let command = command.ok_or_else(|| Error::UnexpectedMessage("a command that cannot be read".to_owned()))?;
-    command.check().map_err(|error| Error::UnexpectedMessage(error.to_string()))?;
+    let command = command.ok_or_else(|| super::unexpected("a command that cannot be read"))?;
+    command.check().map_err(super::unexpected)?;
     Ok(command)
 }

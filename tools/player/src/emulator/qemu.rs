@@ -1,10 +1,12 @@
 //! QEMU with a firmware image, and a link to it.
 
+use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
-use super::error::Error;
+use bica_wire::model::Invalid;
+
 use super::link::Link;
 
 /// QEMU devices that write a word after the program's memory. The image selects its transport by that word: "PIPE" or
@@ -46,8 +48,8 @@ impl Emulator {
     /// Starts an image. Its log (defmt, encoded) is written to the file `log`, if there is one.
     ///
     /// # Errors
-    /// [`Error::ImageMissing`], [`Error::QemuUnavailable`].
-    pub fn start(image: &Path, transport: Transport, log: Option<&Path>) -> Result<Self, Error> {
+    /// If the image does not exist, or QEMU cannot be started.
+    pub fn start(image: &Path, transport: Transport, log: Option<&Path>) -> Result<Self, Invalid> {
         Self::run(image, transport, log, None)
     }
 
@@ -55,10 +57,10 @@ impl Emulator {
     /// a time.
     ///
     /// # Errors
-    /// As [`start`](Self::start), or [`Error::QemuUnavailable`] if there is no free port.
-    pub fn start_with_monitors(image: &Path, transport: Transport, log: Option<&Path>) -> Result<Self, Error> {
+    /// As [`start`](Self::start), or if there is no free port.
+    pub fn start_with_monitors(image: &Path, transport: Transport, log: Option<&Path>) -> Result<Self, Invalid> {
         let port = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).and_then(|listener| listener.local_addr());
-        Self::run(image, transport, log, Some(port.map_err(Error::QemuUnavailable)?))
+        Self::run(image, transport, log, Some(port.map_err(unavailable)?))
     }
 
     fn run(
@@ -66,9 +68,9 @@ impl Emulator {
         transport: Transport,
         log: Option<&Path>,
         monitors: Option<SocketAddr>,
-    ) -> Result<Self, Error> {
+    ) -> Result<Self, Invalid> {
         if !image.is_file() {
-            return Err(Error::ImageMissing(image.to_owned()));
+            return Err(super::error(format!("the firmware image `{}` does not exist", image.display())));
         }
         let log = log.map_or_else(|| "null".to_owned(), |path| format!("file:{}", path.display()));
         let port = monitors.map_or_else(|| "null".to_owned(), |address| format!("tcp:{address},server=on,wait=off"));
@@ -87,9 +89,9 @@ impl Emulator {
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
-            .map_err(Error::QemuUnavailable)?;
+            .map_err(unavailable)?;
         let (Some(tx), Some(rx)) = (child.stdin.take(), child.stdout.take()) else {
-            return Err(Error::UnexpectedMessage("the emulator has no pipes".to_owned()));
+            return Err(super::unexpected("the emulator has no pipes"));
         };
         Ok(Self { child, link: Link::new(rx, tx), monitors })
     }
@@ -104,6 +106,10 @@ impl Emulator {
     pub const fn link(&mut self) -> &mut Link<ChildStdout, ChildStdin> {
         &mut self.link
     }
+}
+
+fn unavailable(error: io::Error) -> Invalid {
+    super::error(format!("cannot start qemu-system-arm ({error})"))
 }
 
 impl Drop for Emulator {

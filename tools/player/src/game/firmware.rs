@@ -14,9 +14,10 @@ use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
 use bica_sim::setup::Frame;
 use bica_wire::message::Change;
+use bica_wire::model::Invalid;
 use serde::Serialize;
 
-use crate::emulator::{Controller, CycleReport, Error, Transport, command_bits};
+use crate::emulator::{Controller, CycleReport, Transport, command_bits, unexpected};
 use crate::game::scene::GRAPH;
 
 /// Firmware image for the emulated microcontroller.
@@ -63,8 +64,7 @@ impl FirmwareImage {
     }
 
     pub(crate) fn start(self, attacks: GoalColour) -> Result<Controller, Failure> {
-        let controller =
-            Controller::start(self.path, Transport::Pipe, attacks, None).map_err(|error| failure(&error))?;
+        let controller = Controller::start(self.path, Transport::Pipe, attacks, None)?;
         let ((width, height), most) = (self.size.size(), controller.image_bytes());
         if most < 2 * width * height {
             let path = self.path.display();
@@ -79,17 +79,13 @@ impl FirmwareImage {
     }
 }
 
-fn failure(error: &Error) -> Failure {
-    Failure::new(error.to_string(), "`cargo xtask firmware` installs what is needed, builds the image and tests it")
-}
-
 /// Observer that runs the firmware, if there is one, and compares it with this program.
 #[derive(Debug)]
 pub(crate) struct FirmwareCheck {
     controller: Option<Controller>,
     /// Changes that this program's forward accepted before the next cycle; `None` for a change that no message can express.
     changes: Vec<Option<Change>>,
-    report: Option<Result<CycleReport, Error>>,
+    report: Option<Result<CycleReport, Invalid>>,
     failure: Option<Failure>,
     /// Instructions of each cycle.
     cycles: Vec<u64>,
@@ -106,7 +102,7 @@ impl FirmwareCheck {
     /// Returns whether the firmware takes part and accepts no requests.
     pub(crate) fn is_watch_only(&mut self) -> Result<bool, Failure> {
         let Some(controller) = &mut self.controller else { return Ok(false) };
-        controller.has_monitors().map(|has_monitors| !has_monitors).map_err(|error| failure(&error))
+        Ok(!controller.has_monitors()?)
     }
 
     /// Returns the first failure.
@@ -166,7 +162,7 @@ impl Observer<Forward> for FirmwareCheck {
     fn acted(&mut self, cycle: &Cycle<'_, Forward>) {
         let result = match self.report.take() {
             Some(Ok(report)) => self.compare(cycle, &report),
-            Some(Err(error)) => Err(failure(&error)),
+            Some(Err(error)) => Err(error.into()),
             None => Ok(()),
         };
         self.failure = self.failure.take().or(result.err());
@@ -179,9 +175,9 @@ fn cycle(
     changes: impl Iterator<Item = Option<Change>>,
     time_us: u64,
     sensors: &Sensors<'_>,
-) -> Result<CycleReport, Error> {
+) -> Result<CycleReport, Invalid> {
     for change in changes {
-        let unknown = || Error::UnexpectedMessage("a request that the firmware does not know".to_owned());
+        let unknown = || unexpected("a request that the firmware does not know");
         controller.request(change.ok_or_else(unknown)?)?;
     }
     controller.keep()?;
