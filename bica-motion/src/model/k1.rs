@@ -12,41 +12,29 @@ use crate::model::booster_getup;
 use crate::model::booster_kicks;
 use crate::model::simulation::{Disc, Extents, Figure, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use crate::model::{
-    ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, FeedbackDelay, HeadPitchLimit, LegGeometry,
-    Mass, Masses, Parameters, PitchFirstLeg, Profile, Range, RobotModel, Senses, SidewaysArm, symmetric,
+    ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, HeadPitchLimit, LegGeometry, Mass,
+    Masses, Parameters, PitchFirstLeg, Profile, Range, RobotModel, SidewaysArm, T1, symmetric,
 };
 use crate::segment::Segment;
 use crate::side::Side::Left;
 use crate::velocity::Velocity;
 
-/// The K1 of Booster Robotics. Its waist is rigid.
+/// The K1 of Booster Robotics. Its waist is rigid. What both robots share is stated for the T1.
 pub const K1: &RobotModel = &RobotModel {
     id: "k1",
     name: "Booster K1",
     joints: &booster::JOINTS_WITHOUT_WAIST,
     limits: &each_joint!(limit),
-    max_speeds: &booster::MAX_SPEEDS,
     actuators: &booster::actuators(&TORQUE_LIMITS),
-    // Our estimate; in the league's server a command acts one cycle later.
-    dead_time: 0.01,
-    feedback_delay: FeedbackDelay::new(2),
-    thermal: booster::THERMAL,
     head_pitch_limits: &[HeadPitchLimit::degrees(0.0, -20.0, 48.0)],
-    head_speed: booster::HEAD_SPEED,
     dimensions: &DIMENSIONS,
     camera_height: 0.86,
     body_shape: &SHAPE,
     masses: &MASSES,
     support_force: 110.0,
-    fall_limits: booster::FALL_LIMITS,
-    stiffness: &booster::STIFFNESS,
     stand: STAND,
-    sit: booster::SIT,
-    sit_stiffness: 0.3,
     to_stand: TO_STAND,
-    to_sit: TO_SIT,
     get_up: &booster_getup::K1,
-    fall_postures: &booster::FALL_POSTURES,
     kinematic_profile: &PROFILE,
     dynamic_profile: &PROFILE,
     leg: LegGeometry::PitchRollYaw(PitchFirstLeg {
@@ -62,15 +50,13 @@ pub const K1: &RobotModel = &RobotModel {
         elbow: Vec3::new(0.0, 0.044_428, 0.0),
         forearm: Vec3::new(0.0, 0.1215, 0.0),
     }),
-    senses: Senses::NONE,
+    ..*T1
 };
 
 const STAND: Joints = symmetric(0.0, booster::ARM, [0.0, 0.0, -22.596_243, 46.388_466, -23.792_225, 0.0]);
 
 /// From sitting to standing.
 const TO_STAND: &[Keyframe] = &[Keyframe { seconds: 1.0, posture: STAND, stiffness: 0.8 }];
-/// From standing to sitting.
-const TO_SIT: &[Keyframe] = &[Keyframe { seconds: 2.0, posture: booster::SIT, stiffness: 0.8 }];
 
 const fn limit(joint: Joint) -> Range {
     let (min, max) = match joint {
