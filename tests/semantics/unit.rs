@@ -148,9 +148,16 @@ pub(crate) fn aged<C>(of: &'static str, age: &Age<C>) {
     record_call(Event::Aged { of, since_run: age.since_run().map(|age| age.as_ticks()) });
 }
 
-/// Test component with a name, attributes and functions. It records its hooks.
+/// Test component with a name, attributes, functions, and conditions of transitions that read nothing. It records its hooks.
 macro_rules! unit {
-    ($name:ident($($attributes:tt)*) { $($functions:tt)* }) => {
+    ($name:ident($($attributes:tt)*)) => {
+        unit!($name($($attributes)*) {
+            fn step(&mut self, time: &Time) {
+                self.unit.body("", time, [], []);
+            }
+        });
+    };
+    ($name:ident($($attributes:tt)*) { $($functions:tt)* } $(when { $($condition:ident: $($arrow:tt)*;)* })?) => {
         pub(crate) struct $name {
             pub(crate) unit: crate::semantics::unit::Unit,
         }
@@ -172,6 +179,13 @@ macro_rules! unit {
             }
 
             $($functions)*
+
+            $($(
+                #[transition($($arrow)*)]
+                fn $condition(&self) -> bool {
+                    self.unit.evaluate(stringify!($condition), [])
+                }
+            )*)?
         }
     };
 }

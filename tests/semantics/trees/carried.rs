@@ -20,16 +20,9 @@ unit!(Chooser() {
     fn choose(&mut self) {
         self.unit.hook("choose", [], []);
     }
-
-    #[transition(on -> off)]
-    fn put_off(&self) -> bool {
-        self.unit.evaluate("put_off", [])
-    }
-
-    #[transition(off -> on)]
-    fn put_on(&self) -> bool {
-        self.unit.evaluate("put_on", [])
-    }
+} when {
+    put_off: on -> off;
+    put_on: off -> on;
 });
 
 unit!(Taker(hz = 50) {

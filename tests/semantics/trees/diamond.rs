@@ -29,17 +29,9 @@ unit!(Far(hz = 30) {
     }
 });
 
-unit!(Shared(hz = 25, writers = first) {
-    fn step(&mut self, time: &Time) {
-        self.unit.body("", time, [], []);
-    }
-});
+unit!(Shared(hz = 25, writers = first));
 
-unit!(Eye(hz = 30) {
-    fn step(&mut self, time: &Time) {
-        self.unit.body("", time, [], []);
-    }
-});
+unit!(Eye(hz = 30));
 
 activation_tree! {
     /// Child with three activators.

@@ -25,33 +25,18 @@ unit!(Worker(hz = 50) {
         self.unit.body("alert", time, [], []);
     }
 
-    #[transition(calm -> alert)]
-    fn wake(&self) -> bool {
-        self.unit.evaluate("wake", [])
-    }
-
-    #[transition(alert -> calm)]
-    fn doze(&self) -> bool {
-        self.unit.evaluate("doze", [])
-    }
-
     #[entry(alert)]
     fn shout(&mut self, hand: &mut Hand) {
         self.unit.hook("shout", [], [&mut hand.unit]);
     }
+} when {
+    wake: calm -> alert;
+    doze: alert -> calm;
 });
 
-unit!(Eye(hz = 60) {
-    fn step(&mut self, time: &Time) {
-        self.unit.body("", time, [], []);
-    }
-});
+unit!(Eye(hz = 60));
 
-unit!(Hand() {
-    fn step(&mut self, time: &Time) {
-        self.unit.body("", time, [], []);
-    }
-});
+unit!(Hand());
 
 activation_tree! {
     /// Rates set by parents.

@@ -23,16 +23,9 @@ unit!(Boss() {
     fn off(&mut self, time: &Time, helper: &mut Helper) {
         self.unit.body("off", time, [], [&mut helper.unit]);
     }
-
-    #[transition(on -> off)]
-    fn put_off(&self) -> bool {
-        self.unit.evaluate("put_off", [])
-    }
-
-    #[transition(off -> on)]
-    fn put_on(&self) -> bool {
-        self.unit.evaluate("put_on", [])
-    }
+} when {
+    put_off: on -> off;
+    put_on: off -> on;
 });
 
 unit!(Picker(hz = 50, resume) {
@@ -67,15 +60,12 @@ unit!(Picker(hz = 50, resume) {
         self.unit.body("idle", time, [grip.unit.read()], []);
     }
 
-    #[transition(idle | wait -> lift)]
-    fn go_on(&self) -> bool {
-        self.unit.evaluate("go_on", [])
-    }
-
     #[entry(lift)]
     fn close(&mut self, grip: &Grip) {
         self.unit.hook("close", [grip.unit.read()], []);
     }
+} when {
+    go_on: idle | wait -> lift;
 });
 
 unit!(Helper(hz = 40) {
@@ -114,20 +104,13 @@ unit!(Reach(writers = first) {
         self.unit.body("stuck", time, [], []);
     }
 
-    #[transition(go -> there)]
-    fn arrives(&self) -> bool {
-        self.unit.evaluate("arrives", [])
-    }
-
-    #[transition(go -> stuck, after_ms = 20)]
-    fn blocked(&self) -> bool {
-        self.unit.evaluate("blocked", [])
-    }
-
     #[entry(go)]
     fn aim(&mut self) {
         self.unit.hook("aim", [], []);
     }
+} when {
+    arrives: go -> there;
+    blocked: go -> stuck, after_ms = 20;
 });
 
 unit!(Grip(hz = 30, resume) {
@@ -145,23 +128,12 @@ unit!(Grip(hz = 30, resume) {
     fn empty(&mut self, time: &Time) {
         self.unit.body("empty", time, [], []);
     }
-
-    #[transition(open -> holds)]
-    fn touches(&self) -> bool {
-        self.unit.evaluate("touches", [])
-    }
-
-    #[transition(open -> empty)]
-    fn misses(&self) -> bool {
-        self.unit.evaluate("misses", [])
-    }
+} when {
+    touches: open -> holds;
+    misses: open -> empty;
 });
 
-unit!(Motor() {
-    fn step(&mut self, time: &Time) {
-        self.unit.body("", time, [], []);
-    }
-});
+unit!(Motor());
 
 activation_tree! {
     /// Results of machines.

@@ -15,16 +15,9 @@ unit!(Switch() {
     fn off(&mut self, time: &Time) {
         self.unit.body("off", time, [], []);
     }
-
-    #[transition(on -> off)]
-    fn put_off(&self) -> bool {
-        self.unit.evaluate("put_off", [])
-    }
-
-    #[transition(off -> on)]
-    fn put_on(&self) -> bool {
-        self.unit.evaluate("put_on", [])
-    }
+} when {
+    put_off: on -> off;
+    put_on: off -> on;
 });
 
 macro_rules! walker {

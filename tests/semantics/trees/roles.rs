@@ -91,11 +91,7 @@ impl Reach for Arm {
     }
 }
 
-unit!(Eye() {
-    fn step(&mut self, time: &Time) {
-        self.unit.body("", time, [], []);
-    }
-});
+unit!(Eye());
 
 impl Sight for Eye {
     fn seen(&self) -> &Unit {

@@ -35,11 +35,8 @@ unit!(Chooser(hz = 50) {
     fn back(&self, both: &Both, sensor: &Sensor) -> bool {
         self.unit.evaluate("back", [both.unit.read(), sensor.unit.read()])
     }
-
-    #[transition(* -> rest)]
-    fn stop(&self) -> bool {
-        self.unit.evaluate("stop", [])
-    }
+} when {
+    stop: * -> rest;
 });
 
 unit!(Left() {
@@ -76,17 +73,9 @@ unit!(Both(hz = 30) {
     }
 });
 
-unit!(Motor(writers = first) {
-    fn step(&mut self, time: &Time) {
-        self.unit.body("", time, [], []);
-    }
-});
+unit!(Motor(writers = first));
 
-unit!(Sensor(hz = 60) {
-    fn step(&mut self, time: &Time) {
-        self.unit.body("", time, [], []);
-    }
-});
+unit!(Sensor(hz = 60));
 
 activation_tree! {
     /// Children that become active and latent.

@@ -54,16 +54,6 @@ unit!(Clockwork(hz = 50) {
         true
     }
 
-    #[transition(work -> done)]
-    fn finish(&self) -> bool {
-        self.unit.evaluate("finish", [])
-    }
-
-    #[transition(fallen -> wait, after_ms = 1)]
-    fn up(&self) -> bool {
-        self.unit.evaluate("up", [])
-    }
-
     #[entry(work | done)]
     fn light(&mut self, lamp: &mut Lamp) {
         self.unit.hook("light", [], [&mut lamp.unit]);
@@ -88,6 +78,9 @@ unit!(Clockwork(hz = 50) {
     fn beep(&mut self) {
         self.unit.hook("beep", [], []);
     }
+} when {
+    finish: work -> done;
+    up: fallen -> wait, after_ms = 1;
 });
 
 macro_rules! leaf {

@@ -15,16 +15,9 @@ unit!(Chief() {
     fn off(&mut self, time: &Time, muser: &Muser) {
         self.unit.body("off", time, [muser.unit.read()], []);
     }
-
-    #[transition(on -> off)]
-    fn put_off(&self) -> bool {
-        self.unit.evaluate("put_off", [])
-    }
-
-    #[transition(off -> on)]
-    fn put_on(&self) -> bool {
-        self.unit.evaluate("put_on", [])
-    }
+} when {
+    put_off: on -> off;
+    put_on: off -> on;
 });
 
 unit!(Thinker(hz = 50) {
@@ -60,16 +53,9 @@ unit!(Muser(resume) {
         }
         self.unit.body("musing", time, [], []);
     }
-
-    #[transition(rest -> musing)]
-    fn wake(&self) -> bool {
-        self.unit.evaluate("wake", [])
-    }
-
-    #[transition(musing -> rest)]
-    fn tire(&self) -> bool {
-        self.unit.evaluate("tire", [])
-    }
+} when {
+    wake: rest -> musing;
+    tire: musing -> rest;
 });
 
 activation_tree! {

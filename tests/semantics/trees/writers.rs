@@ -25,16 +25,9 @@ unit!(Pilot() {
     fn parts(&self, drive: &Drive) -> bool {
         self.unit.evaluate("parts", [drive.unit.read()])
     }
-
-    #[transition(alone -> all)]
-    fn meets(&self) -> bool {
-        self.unit.evaluate("meets", [])
-    }
-
-    #[transition(alone -> ended, when = done(Drive))]
-    fn ends(&self) -> bool {
-        self.unit.evaluate("ends", [])
-    }
+} when {
+    meets: alone -> all;
+    ends: alone -> ended, when = done(Drive);
 });
 
 unit!(Avoid(hz = 50) {
@@ -58,11 +51,8 @@ unit!(Follow(resume) {
     fn loses(&self, drive: &Drive) -> bool {
         self.unit.evaluate("loses", [drive.unit.read()])
     }
-
-    #[transition(far -> near, after_ms = 30)]
-    fn finds(&self) -> bool {
-        self.unit.evaluate("finds", [])
-    }
+} when {
+    finds: far -> near, after_ms = 30;
 });
 
 unit!(Drive(hz = 60, writers = last) {
@@ -80,34 +70,15 @@ unit!(Drive(hz = 60, writers = last) {
     fn stands(&mut self, time: &Time) {
         self.unit.body("stands", time, [], []);
     }
-
-    #[transition(rolls -> brakes)]
-    fn slows(&self) -> bool {
-        self.unit.evaluate("slows", [])
-    }
-
-    #[transition(brakes -> rolls)]
-    fn speeds(&self) -> bool {
-        self.unit.evaluate("speeds", [])
-    }
-
-    #[transition(brakes -> stands, after_ms = 50)]
-    fn halts(&self) -> bool {
-        self.unit.evaluate("halts", [])
-    }
+} when {
+    slows: rolls -> brakes;
+    speeds: brakes -> rolls;
+    halts: brakes -> stands, after_ms = 50;
 });
 
-unit!(Wheel(writers = first) {
-    fn step(&mut self, time: &Time) {
-        self.unit.body("", time, [], []);
-    }
-});
+unit!(Wheel(writers = first));
 
-unit!(Lamp(hz = 30, writers = last) {
-    fn step(&mut self, time: &Time) {
-        self.unit.body("", time, [], []);
-    }
-});
+unit!(Lamp(hz = 30, writers = last));
 
 unit!(Eye(hz = 40) {
     fn step(&mut self, time: &Time, lamp: &Lamp) {
