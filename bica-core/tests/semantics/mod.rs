@@ -1,5 +1,21 @@
 //! Examples of each rule of the runtime.
 
+/// Generates components that only have links.
+macro_rules! links {
+    ($($name:ident($($link:ty),*);)*) => {$(
+        pub(crate) struct $name;
+
+        #[component(crate = bica_core)]
+        impl $name {
+            const fn new() -> Self {
+                Self
+            }
+
+            fn step(&mut self $(, _: $link)*) {}
+        }
+    )*};
+}
+
 mod activity;
 mod age;
 mod batches;

@@ -2,22 +2,6 @@
 
 use super::*;
 
-/// Generates components that only have links.
-macro_rules! links {
-    ($($name:ident($($link:ty),*);)*) => {$(
-        pub(crate) struct $name;
-
-        #[component(crate = bica_core)]
-        impl $name {
-            const fn new() -> Self {
-                Self
-            }
-
-            fn step(&mut self $(, _: $link)*) {}
-        }
-    )*};
-}
-
 links! {
     Parent(&Third, &mut Sixth, &First, &mut Fourth, &Second, &mut Fifth);
     First();

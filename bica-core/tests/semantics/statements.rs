@@ -122,41 +122,34 @@ impl Motor {
     }
 }
 
-pub(crate) struct One;
+/// Generates components that write a number to another one.
+macro_rules! writers {
+    ($($name:ident: $number:literal to $to:ident;)*) => {$(
+        pub(crate) struct $name;
 
-#[component(crate = bica_core)]
-impl One {
-    const fn new() -> Self {
-        Self
-    }
+        #[component(crate = bica_core)]
+        impl $name {
+            const fn new() -> Self {
+                Self
+            }
 
-    fn step(&mut self, motor: &mut Motor) {
-        motor.requested = 1;
-    }
+            fn step(&mut self, to: &mut $to) {
+                to.requested = $number;
+            }
+        }
+    )*};
 }
 
-pub(crate) struct Two;
-
-#[component(crate = bica_core)]
-impl Two {
-    const fn new() -> Self {
-        Self
-    }
-
-    fn step(&mut self, motor: &mut Motor) {
-        motor.requested = 2;
-    }
+writers! {
+    One: 1 to Motor;
+    Two: 2 to Motor;
+    Five: 5 to Late;
+    Six: 6 to Late;
 }
 
-pub(crate) struct Both;
-
-#[component(crate = bica_core)]
-impl Both {
-    const fn new() -> Self {
-        Self
-    }
-
-    fn step(&mut self, one: &mut One, two: &mut Two) {}
+links! {
+    Both(&mut One, &mut Two);
+    Three(&Four, &mut Five, &mut Six);
 }
 
 activation_tree! {
@@ -205,43 +198,6 @@ impl Four {
     fn step(&mut self, late: &Late) {
         self.seen.push(late.done.len());
     }
-}
-
-pub(crate) struct Five;
-
-#[component(crate = bica_core)]
-impl Five {
-    const fn new() -> Self {
-        Self
-    }
-
-    fn step(&mut self, late: &mut Late) {
-        late.requested = 5;
-    }
-}
-
-pub(crate) struct Six;
-
-#[component(crate = bica_core)]
-impl Six {
-    const fn new() -> Self {
-        Self
-    }
-
-    fn step(&mut self, late: &mut Late) {
-        late.requested = 6;
-    }
-}
-
-pub(crate) struct Three;
-
-#[component(crate = bica_core)]
-impl Three {
-    const fn new() -> Self {
-        Self
-    }
-
-    fn step(&mut self, four: &Four, five: &mut Five, six: &mut Six) {}
 }
 
 activation_tree! {

@@ -20,7 +20,7 @@ use glam::Vec2;
 
 use crate::perception::Bearing;
 #[cfg(feature = "league")]
-pub(crate) use provided::provide;
+pub(crate) use provided::{provide, provide_senses};
 
 /// The ball, as the robot sees and remembers it.
 #[role]

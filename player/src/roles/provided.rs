@@ -44,37 +44,54 @@ macro_rules! provide {
     };
 }
 
+/// Implements the roles that the senses of a league provide by functions of the same names.
+macro_rules! provide_senses {
+    () => {
+        provide!(Ball by BallDetector {
+            is_looking -> bool;
+            is_confirmed -> bool;
+            is_lost -> bool;
+            camera -> Option<CameraId>;
+            bearing -> Option<Bearing>;
+            position -> Option<Vec2>;
+            confidence -> f32;
+        });
+
+        provide!(Goal by GoalDetector {
+            &mut restart_search();
+            is_complete -> bool;
+            is_found -> bool;
+            across -> Vec2;
+            gap -> Option<f32>;
+            position -> Option<Vec2>;
+        });
+
+        provide!(Place by Localization {
+            pose -> Option<Pose2>;
+            posts -> Option<[Vec2; 2]>;
+            field -> &'static FieldDimensions;
+        });
+
+        provide!(Robots by RobotDetector {
+            place(index: usize) -> Option<PositionEstimate>;
+        });
+
+        provide!(Views by CameraInput {
+            count -> u32;
+            has_image -> bool;
+            glimpse -> Option<Glimpse>;
+        });
+
+        provide!(Game by GameState {
+            playing -> bool;
+        });
+    };
+}
+
 #[cfg(feature = "league")]
-pub(crate) use provide;
+pub(crate) use {provide, provide_senses};
 
-provide!(Ball by BallDetector {
-    is_looking -> bool;
-    is_confirmed -> bool;
-    is_lost -> bool;
-    camera -> Option<CameraId>;
-    bearing -> Option<Bearing>;
-    position -> Option<Vec2>;
-    confidence -> f32;
-});
-
-provide!(Goal by GoalDetector {
-    &mut restart_search();
-    is_complete -> bool;
-    is_found -> bool;
-    across -> Vec2;
-    gap -> Option<f32>;
-    position -> Option<Vec2>;
-});
-
-provide!(Place by Localization {
-    pose -> Option<Pose2>;
-    posts -> Option<[Vec2; 2]>;
-    field -> &'static FieldDimensions;
-});
-
-provide!(Robots by RobotDetector {
-    place(index: usize) -> Option<PositionEstimate>;
-});
+provide_senses!();
 
 impl Carpet for FieldBoundary {
     #[inline]
@@ -82,16 +99,6 @@ impl Carpet for FieldBoundary {
         camera.is_some_and(|camera| self.is_on_field(camera, at))
     }
 }
-
-provide!(Views by CameraInput {
-    count -> u32;
-    has_image -> bool;
-    glimpse -> Option<Glimpse>;
-});
-
-provide!(Game by GameState {
-    playing -> bool;
-});
 
 impl Eye for CameraPose {
     #[inline]
