@@ -75,7 +75,7 @@ impl FieldBoundary {
     ) -> Self {
         let (mut points, mut green_below) = (Vec::<Vec2, COLUMNS>::new(), Vec::new());
         for x in columns(frame.width()) {
-            let column = Column::scan(frame, colours, x as u16, highest_row(camera, x, tuning), tuning);
+            let column = Column::scan(frame, colours, x as u16, highest_row(camera, x), tuning);
             points.extend(column.top.map(|top| Vec2::new(x, top)));
             green_below.extend([column.green_below]);
         }
@@ -146,7 +146,7 @@ pub(crate) fn columns(width: u16) -> impl Iterator<Item = f32> {
 }
 
 /// Highest row that may show carpet in a column.
-fn highest_row(camera: Option<&Camera>, x: f32, tuning: &BoundaryDetection) -> u16 {
+fn highest_row(camera: Option<&Camera>, x: f32) -> u16 {
     let row = camera.and_then(|camera| Some(camera.horizon(x)? - PITCH_ERROR * camera.intrinsics().focal.y));
     row.map_or(0, |row| row.max(0.0) as u16)
 }

@@ -157,7 +157,7 @@ macro_rules! unit {
             }
         });
     };
-    ($name:ident($($attributes:tt)*) { $($functions:tt)* } $(when { $($condition:ident: $($arrow:tt)*;)* })?) => {
+    ($name:ident($($attributes:tt)*) { $($functions:tt)* } $(when { $($condition:ident($($arrow:tt)*);)* })?) => {
         pub(crate) struct $name {
             pub(crate) unit: crate::semantics::unit::Unit,
         }

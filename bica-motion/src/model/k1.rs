@@ -12,8 +12,8 @@ use crate::model::booster_getup;
 use crate::model::booster_kicks;
 use crate::model::simulation::{Disc, Extents, Figure, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use crate::model::{
-    ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, HeadPitchLimit, LegGeometry, Mass,
-    Masses, Parameters, PitchFirstLeg, Profile, Range, RobotModel, SidewaysArm, T1, symmetric,
+    ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, HeadPitchLimit, LegGeometry, Mass, Masses,
+    Parameters, PitchFirstLeg, Profile, Range, RobotModel, SidewaysArm, T1, symmetric,
 };
 use crate::segment::Segment;
 use crate::side::Side::Left;

@@ -13,7 +13,7 @@ use heapless::Vec;
 
 use super::approximate::{direction, exp2, log2, sqrt};
 use super::map::{HALF, least, line_distance_squared};
-use super::{SightingUse, POINTS, POSTS, PostSighting, Sightings};
+use super::{POINTS, POSTS, PostSighting, SightingUse, Sightings};
 use crate::crossings::CROSSINGS;
 use crate::goal::PostSide;
 

@@ -229,7 +229,11 @@ impl<const N: usize> Localizer<N> {
         self.fit = (follow(self.fit.0, SLOW), follow(self.fit.1, FAST));
         let worse = if self.fit.0 > 0.0 { 1.0 - self.fit.1 / self.fit.0 } else { 0.0 };
         let is_sure = self.estimate.is_some_and(|estimate| estimate.is_sure());
-        worse.clamp(0.0, 0.5).max(if is_sure { self.use_of_sightings.new_share } else { self.use_of_sightings.new_share_if_unsure })
+        worse.clamp(0.0, 0.5).max(if is_sure {
+            self.use_of_sightings.new_share
+        } else {
+            self.use_of_sightings.new_share_if_unsure
+        })
     }
 
     fn resample(&mut self, weights: &[f32; N], sightings: &Sightings, fit: f32) {

@@ -1,6 +1,5 @@
 //! Errors and shares of the particle filter.
 
-use bica_core::Params;
 use bica_macros::Params;
 
 /// Noise of the motion in the particle filter.
@@ -59,6 +58,8 @@ impl SightingUse {
 
 #[cfg(test)]
 mod tests {
+    use bica_core::Params;
+
     use super::*;
 
     #[test]

@@ -12,7 +12,6 @@ use super::{CameraPose, FieldLines, GoalDetector, Odometry};
 use crate::input::CameraInput;
 use crate::shapes;
 
-
 /// Number of particles.
 const PARTICLES: usize = 200;
 /// Seed of the filter's random numbers.

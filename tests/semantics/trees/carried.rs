@@ -21,8 +21,8 @@ unit!(Chooser() {
         self.unit.hook("choose", [], []);
     }
 } when {
-    put_off: on -> off;
-    put_on: off -> on;
+    put_off(on -> off);
+    put_on(off -> on);
 });
 
 unit!(Taker(hz = 50) {

@@ -30,8 +30,8 @@ unit!(Worker(hz = 50) {
         self.unit.hook("shout", [], [&mut hand.unit]);
     }
 } when {
-    wake: calm -> alert;
-    doze: alert -> calm;
+    wake(calm -> alert);
+    doze(alert -> calm);
 });
 
 unit!(Eye(hz = 60));

@@ -24,8 +24,8 @@ unit!(Boss() {
         self.unit.body("off", time, [], [&mut helper.unit]);
     }
 } when {
-    put_off: on -> off;
-    put_on: off -> on;
+    put_off(on -> off);
+    put_on(off -> on);
 });
 
 unit!(Picker(hz = 50, resume) {
@@ -65,7 +65,7 @@ unit!(Picker(hz = 50, resume) {
         self.unit.hook("close", [grip.unit.read()], []);
     }
 } when {
-    go_on: idle | wait -> lift;
+    go_on(idle | wait -> lift);
 });
 
 unit!(Helper(hz = 40) {
@@ -109,8 +109,8 @@ unit!(Reach(writers = first) {
         self.unit.hook("aim", [], []);
     }
 } when {
-    arrives: go -> there;
-    blocked: go -> stuck, after_ms = 20;
+    arrives(go -> there);
+    blocked(go -> stuck, after_ms = 20);
 });
 
 unit!(Grip(hz = 30, resume) {
@@ -129,8 +129,8 @@ unit!(Grip(hz = 30, resume) {
         self.unit.body("empty", time, [], []);
     }
 } when {
-    touches: open -> holds;
-    misses: open -> empty;
+    touches(open -> holds);
+    misses(open -> empty);
 });
 
 unit!(Motor());

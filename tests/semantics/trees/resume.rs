@@ -16,8 +16,8 @@ unit!(Switch() {
         self.unit.body("off", time, [], []);
     }
 } when {
-    put_off: on -> off;
-    put_on: off -> on;
+    put_off(on -> off);
+    put_on(off -> on);
 });
 
 macro_rules! walker {

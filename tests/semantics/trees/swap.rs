@@ -36,7 +36,7 @@ unit!(Chooser(hz = 50) {
         self.unit.evaluate("back", [both.unit.read(), sensor.unit.read()])
     }
 } when {
-    stop: * -> rest;
+    stop(* -> rest);
 });
 
 unit!(Left() {

@@ -79,8 +79,8 @@ unit!(Clockwork(hz = 50) {
         self.unit.hook("beep", [], []);
     }
 } when {
-    finish: work -> done;
-    up: fallen -> wait, after_ms = 1;
+    finish(work -> done);
+    up(fallen -> wait, after_ms = 1);
 });
 
 macro_rules! leaf {

@@ -16,8 +16,8 @@ unit!(Chief() {
         self.unit.body("off", time, [muser.unit.read()], []);
     }
 } when {
-    put_off: on -> off;
-    put_on: off -> on;
+    put_off(on -> off);
+    put_on(off -> on);
 });
 
 unit!(Thinker(hz = 50) {
@@ -54,8 +54,8 @@ unit!(Muser(resume) {
         self.unit.body("musing", time, [], []);
     }
 } when {
-    wake: rest -> musing;
-    tire: musing -> rest;
+    wake(rest -> musing);
+    tire(musing -> rest);
 });
 
 activation_tree! {

@@ -26,8 +26,8 @@ unit!(Pilot() {
         self.unit.evaluate("parts", [drive.unit.read()])
     }
 } when {
-    meets: alone -> all;
-    ends: alone -> ended, when = done(Drive);
+    meets(alone -> all);
+    ends(alone -> ended, when = done(Drive));
 });
 
 unit!(Avoid(hz = 50) {
@@ -52,7 +52,7 @@ unit!(Follow(resume) {
         self.unit.evaluate("loses", [drive.unit.read()])
     }
 } when {
-    finds: far -> near, after_ms = 30;
+    finds(far -> near, after_ms = 30);
 });
 
 unit!(Drive(hz = 60, writers = last) {
@@ -71,9 +71,9 @@ unit!(Drive(hz = 60, writers = last) {
         self.unit.body("stands", time, [], []);
     }
 } when {
-    slows: rolls -> brakes;
-    speeds: brakes -> rolls;
-    halts: brakes -> stands, after_ms = 50;
+    slows(rolls -> brakes);
+    speeds(brakes -> rolls);
+    halts(brakes -> stands, after_ms = 50);
 });
 
 unit!(Wheel(writers = first));

@@ -149,10 +149,7 @@ fn samples() -> Result<Vec<SensorsMessage>, Box<dyn Error>> {
     Ok(samples)
 }
 
-fn stream(
-    tx: &mut Tx<impl std::io::Write>,
-    samples: &[SensorsMessage],
-) -> Result<(), bica_wire::model::Invalid> {
+fn stream(tx: &mut Tx<impl std::io::Write>, samples: &[SensorsMessage]) -> Result<(), bica_wire::model::Invalid> {
     for (number, sample) in (0..IMAGES).zip(samples.iter().cycle()) {
         if number == DELAY_START || number == DELAY_END {
             let ticks = if number == DELAY_START { DELAY_TICKS } else { 0 };

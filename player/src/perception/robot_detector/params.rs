@@ -5,7 +5,6 @@ use bica_vision::memory::MemoryTuning;
 
 use crate::perception::Odometry;
 
-
 /// Memory of a robot.
 #[derive(Params)]
 pub struct RobotTracking {

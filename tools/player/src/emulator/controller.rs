@@ -71,7 +71,9 @@ impl Controller {
         let (messages, counter_hz, image_bytes) =
             link.receive(identity(|identity| (identity.messages, identity.counter_hz, identity.image_bytes as usize)))?;
         if messages != MESSAGES {
-            let what = format!("the image has other sensor values or commands ({messages:016x}, this program {MESSAGES:016x})");
+            let what = format!(
+                "the image has other sensor values or commands ({messages:016x}, this program {MESSAGES:016x})"
+            );
             return Err(super::error(what));
         }
         let instructions_per_tick = 1_000_000_000 / u64::from(counter_hz.max(1));

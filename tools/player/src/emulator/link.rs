@@ -106,7 +106,7 @@ impl<W: Write> Tx<W> {
     /// # Errors
     /// If the emulator has ended.
     pub fn write(&mut self, bytes: &[u8]) -> Result<(), Invalid> {
-        self.inner.write_all(bytes).and_then(|()| self.inner.flush()).map_err(super::disconnected)
+        self.inner.write_all(bytes).and_then(|()| self.inner.flush()).map_err(|cause| super::disconnected(&cause))
     }
 }
 
@@ -155,9 +155,9 @@ impl<R: Read> Rx<R> {
 
     fn fill(&mut self) -> Result<(), Invalid> {
         self.buffer.resize(4096, 0);
-        let count = self.inner.read(&mut self.buffer).map_err(super::disconnected)?;
+        let count = self.inner.read(&mut self.buffer).map_err(|cause| super::disconnected(&cause))?;
         self.buffer.truncate(count);
         self.consumed = 0;
-        if count == 0 { Err(super::disconnected(std::io::ErrorKind::UnexpectedEof.into())) } else { Ok(()) }
+        if count == 0 { Err(super::disconnected(&std::io::ErrorKind::UnexpectedEof.into())) } else { Ok(()) }
     }
 }

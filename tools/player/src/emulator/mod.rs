@@ -23,7 +23,7 @@ fn error(what: impl Into<String>) -> Invalid {
     Invalid::new(what, "`cargo xtask firmware` installs what is needed, builds the image and tests it")
 }
 
-fn disconnected(cause: io::Error) -> Invalid {
+fn disconnected(cause: &io::Error) -> Invalid {
     error(format!("the emulator disconnected: {cause}"))
 }
 

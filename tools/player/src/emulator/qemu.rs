@@ -60,7 +60,7 @@ impl Emulator {
     /// As [`start`](Self::start), or if there is no free port.
     pub fn start_with_monitors(image: &Path, transport: Transport, log: Option<&Path>) -> Result<Self, Invalid> {
         let port = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).and_then(|listener| listener.local_addr());
-        Self::run(image, transport, log, Some(port.map_err(unavailable)?))
+        Self::run(image, transport, log, Some(port.map_err(|error| unavailable(&error))?))
     }
 
     fn run(
@@ -89,7 +89,7 @@ impl Emulator {
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
-            .map_err(unavailable)?;
+            .map_err(|error| unavailable(&error))?;
         let (Some(tx), Some(rx)) = (child.stdin.take(), child.stdout.take()) else {
             return Err(super::unexpected("the emulator has no pipes"));
         };
@@ -108,7 +108,7 @@ impl Emulator {
     }
 }
 
-fn unavailable(error: io::Error) -> Invalid {
+fn unavailable(error: &io::Error) -> Invalid {
     super::error(format!("cannot start qemu-system-arm ({error})"))
 }
 
