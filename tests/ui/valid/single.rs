@@ -1,5 +1,7 @@
 //! Small programs with one unusual thing each.
 
+#![expect(clippy::type_complexity, reason = "what a transition carries may be any type")]
+
 use bica::prelude::*;
 
 /// Tries any machine again: it is generic over its child.

@@ -105,7 +105,7 @@ fn faults(options: &WorldOptions) -> Result<Faults, Failure> {
         presses: [0, 1].map(|press| presses.get(press).copied().unwrap_or(f32::INFINITY)),
         ..none
     };
-    let is_timed = from != none.from || until != none.until;
+    let is_timed = (Faults { from, until, ..none }) != none;
     if is_timed && (from >= until || faults == Faults { presses: faults.presses, ..none }) {
         let what = "--option from and until: there is no fault in this time";
         return Err(Failure::new(what, "give a fault, such as image=freeze, and a time `from` before `until`"));
