@@ -9,8 +9,8 @@ use crate::params::{Kind, Param};
 /// The function of work counts if there is one: its name, and whether it runs in slices. So does `writers = last`.
 ///
 /// What changes no meaning of an index is left out: doc comments, `tunable`, budgets, defaults and ranges of parameters, what transitions
-/// carry, which ages and outcomes are asked, which states have a `#[before]`, roles, whether a modulation is a stop, and the time that work takes. So
-/// programs of one tree with other default values have one hash.
+/// carry, which ages and outcomes are asked, which states have a `#[before]`, roles, whether a modulation is a stop, and the time that
+/// work takes. So programs of one tree with other default values have one hash.
 #[must_use]
 pub const fn hash(graph: &Graph) -> u64 {
     let mut hash = Fnv::new().text(graph.name).f32(Some(graph.cycle_hz)).number(graph.root as u64);

@@ -62,10 +62,17 @@ fn robot_in_real_time_is_answered_without_its_program() {
     }
     let mut robot = StandIn::start(blocked);
     robot.cycles_in_real_time(MEASURED);
-    robot.cycles(RISE - MEASURED as usize + 20);
-    // The program waits for the test, and the test for answers.
+    robot.cycles(RISE - MEASURED as usize);
+    // The program waits for the test, and the test for answers. On a busy computer other commands are late, too.
     let last = 0.02 * (BLOCKED - 1) as f32;
-    assert!((robot.last.expect("an answer").0[Joint::HeadYaw] - last).abs() < 1e-6, "the newest command is in force");
+    let is_in_force = |robot: &StandIn| (robot.last.expect("an answer").0[Joint::HeadYaw] - last).abs() < 1e-6;
+    let waited = (0..500).position(|_| {
+        robot.cycles(1);
+        is_in_force(&robot)
+    });
+    assert!(waited.is_some(), "the newest command never comes into force");
+    robot.cycles(11);
+    assert!(is_in_force(&robot), "it stays in force");
     let before = robot.late();
     assert!(before >= 10, "{before}");
     robot.cycles(20);

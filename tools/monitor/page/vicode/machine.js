@@ -15,7 +15,7 @@ export function parsed(key) {
 
 const links = (owner) => owner.arguments.filter(({ input }) => input === 'link').map(({ kind, child, name }) => ({ kind, child, argument: name.text, by: owner.name.text }));
 
-/** Ages and outcomes for which functions ask, each once: `age of Goal`. */
+/** Ages and outcomes for which functions ask, each once: `age of Marker`. */
 const asks = (functions) => [...new Set(functions.flatMap((one) => one.arguments).filter(({ input }) => input === 'age' || input === 'outcome').map(({ input, of }) => `${input} of ${of}`))];
 
 /** Children of several functions, each once; what is written by one of them is a modulation. */

@@ -5,7 +5,7 @@ import { widthOf } from './boxes.js';
 /** A timer as it is written at an arrow. */
 const timerText = (ms) => (ms === null ? '' : ms % 1000 === 0 ? `after ${ms / 1000} s` : `after ${ms} ms`);
 
-/** What an arrow waits for beside its condition, and for what it asks: `after pause 3 times (age of Goal)`. */
+/** What an arrow waits for beside its condition, and for what it asks: `after pause 3 times (age of Marker)`. */
 export function waitText({ bare, after_ms: ms, after, when, times, asks = [] }) {
   const result = bare ? null : when;
   const timer = after === null ? timerText(ms) : `after ${after.split('::').at(-1)}`;
