@@ -81,19 +81,20 @@ fn component(tree: &Description, node: &Component, place: &Rectangle, (kind, roo
         "<g><title>{}</title><rect x=\"{left:.1}\" y=\"{y:.1}\" width=\"{BOX_WIDTH}\" height=\"{BOX_HEIGHT}\" rx=\"7\" \
          fill=\"{fill}\" stroke=\"{border}\" stroke-width=\"{thickness}\"/>\
          <text x=\"{x:.1}\" y=\"{:.1}\" fill=\"#1f2328\"{}>{}</text>\
-         <text x=\"{x:.1}\" y=\"{:.1}\" fill=\"#424a53\" font-size=\"10\">{}</text></g>\n",
+         <text x=\"{x:.1}\" y=\"{:.1}\" fill=\"#424a53\" font-size=\"10\"{}>{}</text></g>\n",
         escaped(doc.trim()),
         y + 17.0,
-        fitting(&node.name),
+        fitting(&node.name, 14),
         escaped(&node.name),
         y + 31.0,
+        fitting(&rate, 20),
         escaped(&rate),
     )
 }
 
-/// Attributes that compress a long name to the width of its box.
-fn fitting(name: &str) -> String {
-    if name.chars().count() > 14 {
+/// Attributes that compress a text with more characters than fit into its box to the width of the box.
+fn fitting(name: &str, most: usize) -> String {
+    if name.chars().count() > most {
         format!(" textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\"", BOX_WIDTH - 10.0)
     } else {
         String::new()

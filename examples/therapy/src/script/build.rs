@@ -97,15 +97,15 @@ impl Builder {
     }
 
     pub(super) fn repeat(&mut self, times: u16) -> Result<(), Problem> {
-        if self.depth() == DEEPEST {
-            return Err(self.wrong(format!("more than {DEEPEST} `repeat` in one another")));
-        }
+        let is_first_too_deep = self.depth() == DEEPEST;
         self.blocks.push(Block::Repeat { from: self.next(), times, line: self.line });
-        Ok(())
+        let too_deep = || Err(self.wrong(format!("more than {DEEPEST} `repeat` in one another")));
+        if is_first_too_deep { too_deep() } else { Ok(()) }
     }
 
-    /// Begins a branch: of the exercise directly before it, or else of the exercise whose branches are open.
-    pub(super) fn when(&mut self, branch: usize) -> Result<(), Problem> {
+    /// Begins a branch: of the exercise directly before it, or else of the exercise whose branches are open. One without a
+    /// result is a mistake that was found already.
+    pub(super) fn when(&mut self, branch: Option<usize>) -> Result<(), Problem> {
         let last = self.next().wrapping_sub(1);
         let follows = matches!(self.script.steps.last(), Some(Step::Exercise { .. }));
         match self.blocks.last_mut() {
@@ -117,7 +117,7 @@ impl Builder {
             _ => return Err(self.wrong("`when` must follow an exercise")),
         }
         let next = self.next() as u16;
-        let Some(Block::When { exercise, .. }) = self.blocks.last() else { return Ok(()) };
+        let (Some(branch), Some(Block::When { exercise, .. })) = (branch, self.blocks.last()) else { return Ok(()) };
         let Step::Exercise { then, .. } = &mut self.script.steps[*exercise] else { return Ok(()) };
         let is_new = std::mem::replace(&mut then[branch], next) == 0;
         if is_new { Ok(()) } else { Err(Problem::at((self.line, 6), "the exercise has this result already")) }

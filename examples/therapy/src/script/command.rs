@@ -57,11 +57,17 @@ pub(super) const VERBS: [(&str, Read); 18] = [
         script.go_to(name, at)
     }),
     ("repeat", |script, line| {
-        let times = line.count("a number of times", 2..=1000)?;
-        line.expect(&["times"])?;
-        script.repeat(times)
+        let times = line.count("a number of times", 2..=1000);
+        // It begins in any case, so that its `end` is no further mistake.
+        script.repeat(times.as_ref().map_or(2, |times| *times))?;
+        times?;
+        line.expect(&["times"])
     }),
-    ("when", |script, line| script.when(line.choice("a result of the exercise", &BRANCHES)?)),
+    ("when", |script, line| {
+        let branch = line.choice("a result of the exercise", &BRANCHES);
+        script.when(branch.as_ref().ok().copied())?;
+        branch.map(drop)
+    }),
     ("end", |script, _| script.end()),
 ];
 
