@@ -151,6 +151,8 @@ fn tests() -> Result<(), String> {
     // More random cases where a few hundred take seconds, and the same ones on each run: the result of CI is a property of the commit.
     let cases = [("BICA_TEST_CASES", "1000"), ("PROPTEST_CASES", "256"), ("PROPTEST_RNG_SEED", "1")];
     let variables = [&cases[..], &[("BICA_COVERAGE", &visits)]].concat();
+    // The command of the README first: later steps need the programs with all features.
+    run("cargo", &["test", "--workspace", "--quiet"], &cases)?;
     build::cargo("test", &[], &variables)?;
     slow_tests::run(&variables)?;
     coverage(&visits)

@@ -100,6 +100,13 @@ pub(crate) enum Command {
         #[command(flatten)]
         args: BoosterArgs,
     },
+    /// A small `GameController`: with the feature `referee` of Cargo
+    #[cfg(not(feature = "referee"))]
+    #[command(disable_help_flag = true)]
+    Referee {
+        #[arg(hide = true, trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<std::ffi::OsString>,
+    },
     /// Detections in recorded images, calibration, trials in MuJoCo: with the feature `evaluation` of Cargo
     #[cfg(not(feature = "evaluation"))]
     #[command(name = "watch", visible_aliases = ["see", "calibrate", "calibrate-camera", "trial"], disable_help_flag = true)]

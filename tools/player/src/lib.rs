@@ -66,6 +66,8 @@ pub fn app() -> App<Forward, ColourProfile> {
             Command::Guard { socket } => lola::guard(&socket),
             #[cfg(feature = "booster")]
             Command::BoosterGuard { robot, args } => booster::guard(&robot, &args),
+            #[cfg(not(feature = "referee"))]
+            Command::Referee { .. } => Err(play::built_without("referee", "the small GameController")),
             #[cfg(not(feature = "evaluation"))]
             Command::Evaluation { .. } => {
                 Err(play::built_without("evaluation", "recorded images, calibration and trials"))

@@ -167,11 +167,11 @@ mod tests {
     #[test]
     fn only_mentioned_commands_may_be_incomplete() {
         let workspace = Workspace::read();
-        for text in ["player see", "player record"] {
+        for text in ["player replay", "player record"] {
             assert_eq!(check(&Shown { is_mentioned: true, ..shown(text) }, &workspace), Ok(()));
         }
-        assert!(check(&shown("player see"), &workspace).is_err());
-        let wrong = Shown { is_mentioned: true, ..shown("player seee") };
+        assert!(check(&shown("player replay"), &workspace).is_err());
+        let wrong = Shown { is_mentioned: true, ..shown("player replaay") };
         assert!(check(&wrong, &workspace).is_err());
     }
 

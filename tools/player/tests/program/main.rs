@@ -3,6 +3,7 @@
 mod arguments;
 #[cfg(feature = "evaluation")]
 mod calibrate;
+#[cfg(feature = "evaluation")]
 mod calibrate_camera;
 mod exit;
 mod firmware;
