@@ -82,7 +82,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.find("textbox", "Name of the new state", "").await;
     page.enter("block").await;
     // The mistake takes a line below the drawing, which is fitted again.
-    page.reads("no transition leaves state").await;
+    page.reads("cannot be reached").await;
     let block = page.find("button", "State block", "").await.middle().await;
     let [left, top, width, height] = page.find("button", "State begin", "").await.place().await;
     page.drag((left + width - 2.0, top + height / 2.0), block).await;
