@@ -49,7 +49,8 @@ let seed = 1; const random = (n) => { seed = (seed * 1103515245 + 12345) % 21474
 const WORDS = ['look', 'ball', 'goal', 'approach', 'kick', 'wait', 'turn', 'search', 'far', 'lost', 'reached', 'penalized', 'again'];
 const word = () => Array.from({ length: 1 + random(3) }, () => WORDS[random(WORDS.length)]).join('_');
 const machine = (count) => {
-  const states = Array.from({ length: count }, (_, at) => ({ name: `${word()}_${at}`, docs: random(2) ? 'Some words on it.' : '', asks: at % 5 ? [] : ['age of Marker'],
+  const states = Array.from({ length: count }, (_, at) => ({ name: `${word()}_${at}`, docs: random(2) ? 'Some words on it.' : '',
+    asks: at % 5 ? [] : ['age of Marker'],
     initial: at === 0, last: false, hooks: random(6) ? [] : [{ role: 'entry', name: word() }],
     children: Array.from({ length: random(4) }, () => ({ child: word(), kind: 'requirement' })) }));
   const arrows = [];
