@@ -28,6 +28,9 @@ const STUCK_HEAD_DEVIATION: f32 = 0.3;
 const STUCK_CYCLES: u8 = 100;
 /// Change of a joint's target, rad, that moves the joint: several times the deviation under the weight of the body.
 const TARGET_CHANGE: f32 = 0.15;
+/// Number of cycles of 10 ms with another target, all together, after which a joint at rest is stuck: several times the dead time of
+/// the motors.
+const RESTING_CYCLES: u8 = 40;
 /// Largest change of the angle of a joint at rest, rad: several times the noise of its sensor.
 const STILL: f32 = 0.02;
 /// Number of identical readings after which the inertial unit is broken: noise alone changes the last digits.
@@ -83,7 +86,7 @@ impl Rest {
         } else if (target - self.target).abs() > TARGET_CHANGE {
             self.cycles = self.cycles.saturating_add(1);
         }
-        self.cycles >= STUCK_CYCLES
+        self.cycles >= RESTING_CYCLES
     }
 }
 
