@@ -42,7 +42,6 @@ fn slow_each_fault_has_its_line_entry_and_message() {
         ("image=drop", "the camera sends no images"),
         ("gyro=0.2", "the gyroscope measures a turn that the robot does not make"),
         ("stuck=HeadYaw", "HeadYaw does not follow its target"),
-        ("stuck=LKneePitch", "LKneePitch does not follow its target"),
         ("hot=LKneePitch", "LKneePitch is too hot"),
     ] {
         let file = folder.file("fault.mcap");
