@@ -26,13 +26,6 @@ const STUCK_DEVIATION: f32 = 0.65;
 const STUCK_HEAD_DEVIATION: f32 = 0.3;
 /// Number of cycles of 10 ms after which a deviating joint is stuck.
 const STUCK_CYCLES: u8 = 100;
-/// Change of a joint's target, rad, that moves the joint: several times the deviation under the weight of the body.
-const TARGET_CHANGE: f32 = 0.15;
-/// Number of cycles of 10 ms with another target, all together, after which a joint at rest is stuck: several times the dead time of
-/// the motors.
-const RESTING_CYCLES: u8 = 40;
-/// Largest change of the angle of a joint at rest, rad: several times the noise of its sensor.
-const STILL: f32 = 0.02;
 /// Number of identical readings after which the inertial unit is broken: noise alone changes the last digits.
 const INERTIAL_CYCLES: u16 = 100;
 /// Number of cycles of 10 ms after which a foot without force is broken if the commanded posture loads it.
@@ -63,31 +56,8 @@ pub struct Health {
     silent: [u16; 2],
     /// Number of cycles for which each joint has deviated.
     stuck: [u8; JOINTS],
-    /// Angle and target of each joint when it moved last, rad, and the number of cycles since then with another target.
-    rests: [Rest; JOINTS],
     motor_load: MotorLoad,
     model: &'static RobotModel,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Rest {
-    angle: f32,
-    target: f32,
-    cycles: u8,
-}
-
-impl Rest {
-    const NEW: Self = Self { angle: 0.0, target: 0.0, cycles: 0 };
-
-    /// Processes the target and the angle of one cycle; whether the joint does not move.
-    fn step(&mut self, target: f32, angle: f32) -> bool {
-        if (angle - self.angle).abs() > STILL {
-            *self = Self { angle, target, cycles: 0 };
-        } else if (target - self.target).abs() > TARGET_CHANGE {
-            self.cycles = self.cycles.saturating_add(1);
-        }
-        self.cycles >= RESTING_CYCLES
-    }
 }
 
 impl Health {
@@ -102,7 +72,6 @@ impl Health {
             same: 0,
             silent: [0; 2],
             stuck: [0; JOINTS],
-            rests: [Rest::NEW; JOINTS],
             motor_load: MotorLoad::new(),
             model,
         }
@@ -132,7 +101,7 @@ impl Health {
                 .or_else(|| self.check_feet(sensors, targets))
                 .or_else(|| self.check_joints(sensors, targets, stiffness))
         } else {
-            (self.silent, self.stuck, self.rests) = ([0; 2], [0; JOINTS], [Rest::NEW; JOINTS]);
+            (self.silent, self.stuck) = ([0; 2], [0; JOINTS]);
             inertial
         };
         self.motor_load.step(self.model, sensors, upright);
@@ -172,11 +141,9 @@ impl Health {
         let watched = self.model.joints.iter().copied().filter(|&joint| follows(joint));
         watched.fold(None, |found, joint| {
             let count = &mut self.stuck[joint.index()];
-            let is_stiff = stiffness[joint] >= FOLLOWING_STIFFNESS;
-            *count = if is_stiff && deviates(joint) { count.saturating_add(1) } else { 0 };
-            // In a walk a joint swings less than the deviation of a stuck one, but it swings.
-            let rests = is_stiff && self.rests[joint.index()].step(targets[joint], sensors.angles[joint]);
-            found.or((rests || *count >= STUCK_CYCLES).then_some(Fault::Stuck(joint)))
+            let is_stuck = stiffness[joint] >= FOLLOWING_STIFFNESS && deviates(joint);
+            *count = if is_stuck { count.saturating_add(1) } else { 0 };
+            found.or((*count >= STUCK_CYCLES).then_some(Fault::Stuck(joint)))
         })
     }
 }

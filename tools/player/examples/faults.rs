@@ -10,7 +10,7 @@ use bica_sim::setup::Frame;
 const GAMES: u64 = 10;
 
 /// Options of the world, one for each fault.
-const FAULTS: [&str; 11] = [
+const FAULTS: [&str; 10] = [
     "",
     "image=freeze",
     "image=dark",
@@ -19,7 +19,6 @@ const FAULTS: [&str; 11] = [
     "image=drop",
     "gyro=0.2",
     "stuck=HeadYaw",
-    "stuck=LKneePitch",
     "hot=LKneePitch",
     "button=8",
 ];
