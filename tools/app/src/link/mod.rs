@@ -5,9 +5,7 @@ use std::time::{Duration, Instant};
 
 use bica::Hold;
 use bica::runner::OwnedRequest;
-use bica_link::{
-    Client, ClientOptions, Component, Error, Event, LogLine, Modulation, Param, Plain, Snapshot, decode_output,
-};
+use bica_link::{Client, ClientOptions, Error, Event, LogLine, Plain, Snapshot, decode_output};
 use bica_wire::message::WorldChange;
 use bica_wire::model::{NamedRequest, NamedSetting};
 use serde::Serialize;
@@ -15,11 +13,13 @@ use serde_json::json;
 
 mod args;
 mod breakpoints;
+mod describe;
 mod extras;
 mod serve;
 
 pub(crate) use args::Link;
 use args::LinkAction;
+use describe::{describe_actions, describe_component};
 
 use crate::console::{Console, Failure, Outcome, Style, interrupt};
 pub(crate) use args::address;
@@ -346,43 +346,6 @@ fn silence(newest: Option<u64>) -> String {
     }
 }
 
-fn describe_component(console: Console, component: &Component) -> Result<(), Failure> {
-    let hz = component.hz.map_or_else(|| "every cycle".to_owned(), |hz| format!("{hz} Hz"));
-    let heading = console.styled(Style::Strong, &component.name);
-    console.print(&format!("\n{heading}  {hz}  {}", console.styled(Style::Faint, first_line(&component.doc))))?;
-    for param in &component.params {
-        let value = param.value.map(|value| param.kind.text(value).to_string()).unwrap_or_default();
-        let text =
-            format!("{} = {value} {} ({})", param.name, param.unit.as_deref().unwrap_or_default(), param.range());
-        console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&param.doc))))?;
-    }
-    for output in &component.outputs {
-        let unit = output.unit.as_deref().map(|unit| format!(", {unit}")).unwrap_or_default();
-        let text = format!("{}: {}{unit}", output.name, output.type_name);
-        console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&output.doc))))?;
-    }
-    component.modulations.iter().try_for_each(|modulation| describe_call(console, modulation))
-}
-
-fn describe_actions(console: Console, actions: &[Modulation]) -> Result<(), Failure> {
-    if !actions.is_empty() {
-        console.print(&format!("\n{}", console.styled(Style::Strong, "world")))?;
-    }
-    actions.iter().try_for_each(|action| describe_call(console, action))
-}
-
-/// Prints a modulation or an action.
-fn describe_call(console: Console, call: &Modulation) -> Result<(), Failure> {
-    let argument = |argument: &Param| {
-        let unit = argument.unit.as_deref().map(|unit| format!(" {unit}")).unwrap_or_default();
-        format!("{}{unit} ({})", argument.name, argument.range())
-    };
-    let arguments: Vec<_> = call.arguments.iter().map(argument).collect();
-    let stops = if call.stops { ", stops the robot" } else { "" };
-    let text = format!("{}({}){stops}", call.name, arguments.join(", "));
-    console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&call.doc))))
-}
-
 /// The call of a modulation, given by its path.
 fn modulate(path: &str, arguments: &[String]) -> Result<NamedRequest, Failure> {
     let Some((component, modulation)) = path.split_once('.') else {
@@ -396,8 +359,4 @@ fn modulate(path: &str, arguments: &[String]) -> Result<NamedRequest, Failure> {
 /// Converts the values of the command line.
 fn plain(values: &[String]) -> Vec<Plain> {
     values.iter().cloned().map(Plain::Name).collect()
-}
-
-fn first_line(doc: &str) -> &str {
-    doc.lines().next().unwrap_or_default()
 }
