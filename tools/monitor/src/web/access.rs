@@ -18,6 +18,8 @@ const MAX_KEYS: usize = 16;
 pub struct Enter {
     /// Key of a URL that the program printed.
     pub key: String,
+    /// Random text of the page. A key works again for the page that used it, because a reload can lose the answer.
+    pub page: String,
     /// Secret that the server sent to an earlier page of this origin.
     pub secret: String,
     /// Token in the server's token file.
@@ -28,7 +30,8 @@ pub struct Enter {
 pub struct Access {
     secret: String,
     token: Option<String>,
-    keys: Mutex<VecDeque<String>>,
+    /// Valid keys, each with the page that used it.
+    keys: Mutex<VecDeque<(String, Option<String>)>>,
 }
 
 impl Access {
@@ -40,7 +43,7 @@ impl Access {
         Ok(Self { secret: secret()?, token, keys: Mutex::default() })
     }
 
-    /// Returns a new key; each works once.
+    /// Returns a new key; each works for one page.
     ///
     /// # Errors
     /// If the operating system has no random numbers.
@@ -50,17 +53,17 @@ impl Access {
         if keys.len() == MAX_KEYS {
             keys.pop_front();
         }
-        keys.push_back(key.clone());
+        keys.push_back((key.clone(), None));
         Ok(key)
     }
 
-    /// Checks the proofs of a page and invalidates its key. Returns the secret with which pages of the same origin enter again.
+    /// Checks the proofs of a page and reserves its key for it. Returns the secret with which pages of the same origin enter again.
     ///
     /// # Errors
     /// The reason, if no proof is valid.
     pub fn enter(&self, enter: &Enter) -> Result<&str, &'static str> {
         let is_token = self.token.as_ref().is_some_and(|token| equal(token, &enter.token));
-        if self.redeem(&enter.key) || equal(&self.secret, &enter.secret) || is_token {
+        if self.redeem(&enter.key, &enter.page) || equal(&self.secret, &enter.secret) || is_token {
             return Ok(&self.secret);
         }
         Err(match self.token {
@@ -70,12 +73,15 @@ impl Access {
         })
     }
 
-    /// Invalidates a key; returns whether it was valid.
-    fn redeem(&self, key: &str) -> bool {
+    /// Reserves a key for a page; returns whether it is valid for this page. A page without a text of its own can use it once.
+    fn redeem(&self, key: &str, page: &str) -> bool {
         let mut keys = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
-        let Some(index) = keys.iter().position(|known| equal(known, key)) else { return false };
-        keys.remove(index);
-        true
+        let Some((_, user)) = keys.iter_mut().find(|(known, _)| equal(known, key)) else { return false };
+        let Some(user) = user else {
+            *user = Some(page.to_owned());
+            return true;
+        };
+        !page.is_empty() && equal(user, page)
     }
 }
 
@@ -103,13 +109,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn old_keys_are_void_and_others_work_once() {
+    fn old_keys_are_void_and_others_serve_one_page() {
         let access = Access::new(None).unwrap();
         let first = access.new_key().unwrap();
         let later: Vec<_> = (0..MAX_KEYS).map(|_| access.new_key().unwrap()).collect();
         assert_eq!(first.len(), 64);
-        assert!(!access.redeem(&first) && !access.redeem("") && !access.redeem(&later[0][1..]));
-        assert!(later.iter().all(|key| access.redeem(key)));
-        assert!(!later.iter().any(|key| access.redeem(key)));
+        assert!(!access.redeem(&first, "") && !access.redeem("", "") && !access.redeem(&later[0][1..], ""));
+        assert!(later.iter().all(|key| access.redeem(key, "one") && access.redeem(key, "one")));
+        assert!(!later.iter().any(|key| access.redeem(key, "other") || access.redeem(key, "")));
+        let last = access.new_key().unwrap();
+        assert!(access.redeem(&last, "") && !access.redeem(&last, ""));
     }
 }

@@ -3,7 +3,7 @@
 //! The server is designed for a computer that other programs and web pages share. It first compares the `Host` of a request with a
 //! list, so that a foreign name that resolves to this computer (DNS rebinding) is refused. Plain HTTP serves the page's files,
 //! which contain no secret, and changes nothing. A WebSocket needs an `Origin` equal to the server's own. Its first message must
-//! prove that the page may enter: by the key of a URL that works once, by the secret that the page received for such a key and
+//! prove that the page may enter: by the key of a URL that works for one page, by the secret that the page received for such a key and
 //! keeps in the storage of its origin, or by the token. A cookie is not sufficient, because browsers send it to every port of a
 //! host. Input is limited in size, number and rate. Output to a slow page is dropped, or the page is disconnected ([`Queue`]).
 

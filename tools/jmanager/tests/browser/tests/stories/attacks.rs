@@ -128,6 +128,18 @@ async fn key_is_in_no_address_and_no_referrer() {
     assert!(head.starts_with("get / ") && !head.contains("referer:"), "{head}");
 }
 
+/// The key is used up before the page knows the secret.
+#[tokio::test]
+async fn a_reload_before_the_answer_still_enters() {
+    let server = Server::start("hasty", &[]);
+    let page = Page::open(&server, WIDE).await;
+    for _ in 0..5 {
+        page.run("location.reload()").await;
+    }
+    page.counts(".component", "> 5").await;
+    page.close().await;
+}
+
 /// Attack 6: names from outside.
 #[tokio::test]
 async fn names_of_files_and_robots_are_shown_as_text() {

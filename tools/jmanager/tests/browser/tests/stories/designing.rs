@@ -1,7 +1,5 @@
 //! Stories of the designer: a machine is drawn, its code is written, and the file contains both.
 
-use std::fs;
-
 use jmanager_browser::{Folder, Page, Server, repository};
 use serde_json::json;
 
