@@ -2,13 +2,20 @@
 
 use crate::error::Error;
 use crate::header::{FORMAT, MONITOR_FORMAT};
-use crate::mcap::{ChannelRecord, Message};
+use crate::mcap::{ChannelRecord, MAX_RECORD, Message};
 use crate::message::{Channel, ENCODING};
 use crate::ros::CDR_LE;
 
 /// Number of bytes before the content of a message: the header of CDR, and the length of the field `data` of
 /// `bica_msgs/msg/Event`.
 const PREFIX: usize = CDR_LE.len() + size_of::<u32>();
+
+/// Maximum number of large data of a cycle, and of large data that wait for their cycles. Recorders write no file that needs
+/// more.
+pub(crate) const MAX_BLOBS: usize = 64;
+/// Maximum size of the messages of one cycle, and of large data that wait for their cycles, bytes. Recorders write no more, a
+/// damaged file may have more.
+pub(crate) const MAX_CYCLE_BYTES: usize = MAX_RECORD as usize;
 
 /// Generation of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -16,6 +16,7 @@
 //! Reading checks every length before it reserves memory, so a damaged file ends in an error.
 
 mod blob;
+mod cameras;
 mod compare;
 mod contents;
 mod digest;
@@ -36,6 +37,7 @@ mod names;
 mod outputs;
 mod part;
 mod play;
+mod preview;
 mod program;
 mod recorder;
 mod recording;
@@ -52,6 +54,7 @@ mod writer;
 pub use bica_wire::Recordable;
 pub use bica_wire::message::LogSource;
 pub use blob::{BlobRecord, Coding, StoredBlob};
+pub use cameras::Cameras;
 pub use compare::{Comparison, Decision, Difference};
 pub use digest::RunningFingerprint;
 pub use error::Error;
@@ -68,13 +71,13 @@ pub use names::NameTable;
 pub use outputs::{OutputRecord, OutputsRecord};
 pub use part::{RunPart, Split};
 pub use play::{PlayOptions, Played, play};
+pub use preview::{Jpeg, jpeg};
 pub use program::{Program, Start, processor};
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncing, create, tree_record};
 pub use recording::{BlobPlace, RecordedCycle, Recording, open};
 pub use replay::{AfterGap, RepeatedWorld, ReplayOptions, ReplayReport, Subject, compare, replay, rerun};
 pub use request::RequestRecord;
 pub use scenery::Scenery;
-pub use topics::{Cameras, Jpeg, jpeg};
 pub use upgrade::upgrade;
 
 #[cfg(doctest)]

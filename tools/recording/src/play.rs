@@ -13,12 +13,12 @@ use bica_wire::Recordable;
 use bica_wire::message::LogSource;
 use bica_wire::model::{Description, Invalid};
 
+use crate::cameras::Cameras;
 use crate::error::Error;
 use crate::header::Header;
 use crate::recording::{RecordedCycle, Recording};
 use crate::replay::check_tree;
 use crate::request::RequestRecord;
-use crate::topics::Cameras;
 
 /// Maximum time between two checks for messages of monitors.
 const LISTEN_EVERY: Duration = Duration::from_millis(20);

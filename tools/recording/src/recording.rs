@@ -14,18 +14,11 @@ use crate::contents::{Contents, Part};
 use crate::error::Error;
 use crate::header::{Ending, Header};
 use crate::image_codec::ImageCoder;
-use crate::layout::Layout;
-use crate::mcap::{Item, MAX_RECORD, Message, Reader};
+use crate::layout::{Layout, MAX_BLOBS, MAX_CYCLE_BYTES};
+use crate::mcap::{Item, Message, Reader};
 use crate::message::{Channel, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 use crate::outputs::OutputsRecord;
 use crate::request::RequestRecord;
-
-/// Maximum number of large data of a cycle, and of large data that wait for their cycles. Recorders write no file that needs
-/// more.
-pub(crate) const MAX_BLOBS: usize = 64;
-/// Maximum size of the messages of one cycle, and of large data that wait for their cycles, bytes. Recorders write no more, a
-/// damaged file may have more.
-pub(crate) const MAX_CYCLE_BYTES: usize = MAX_RECORD as usize;
 
 /// Recorded data of a cycle.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -10,10 +10,11 @@ use bica_wire::message::ComponentState;
 use crate::blob::{BlobIndex, code};
 use crate::header::{Ending, Header};
 use crate::image_codec::ImageCoder;
+use crate::layout::MAX_BLOBS;
 use crate::message::{Channel, HoldsRecord, Tick, TreeRecord};
 use crate::outputs::OutputRecord;
 use crate::recorder::{Output, Report, Sink};
-use crate::recording::{MAX_BLOBS, RecordedCycle};
+use crate::recording::RecordedCycle;
 
 /// Size of a chunk before compression, bytes.
 const CHUNK_BYTES: usize = 1 << 20;

@@ -10,9 +10,9 @@ use super::syncer::Syncer;
 use crate::blob::BlobRecord;
 use crate::encode::encode;
 use crate::header::{Ending, Header};
+use crate::layout::{MAX_BLOBS, MAX_CYCLE_BYTES};
 use crate::mcap::Compression;
 use crate::message::Channel;
-use crate::recording::{MAX_BLOBS, MAX_CYCLE_BYTES};
 use crate::writer::RecordingWriter;
 
 /// Longest time that values wait in memory.

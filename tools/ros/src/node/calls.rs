@@ -9,8 +9,7 @@ use ros2_client::RmwRequestId;
 use ros2_client::dds::{Server, Subscription};
 
 use super::network::Network;
-use super::parameters::result;
-use super::pending::Reply;
+use super::pending::{Reply, result};
 use super::robot::Robot;
 use super::values::plain;
 use crate::message::{Nothing, Parameters, SingleResult, TriggerResponse};

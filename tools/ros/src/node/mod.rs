@@ -27,8 +27,8 @@ use checked::checked;
 use drive::Drive;
 use network::Network;
 use operator::Operator;
-use parameters::{Parameters, result};
-use pending::Pending;
+use parameters::Parameters;
+use pending::{Pending, result};
 use robot::Robot;
 pub use thread::Ros;
 

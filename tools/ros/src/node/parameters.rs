@@ -1,6 +1,6 @@
 //! The parameter services of the node.
 
-use bica_recording::ros::{ListResult, Names, Parameter, SetResult};
+use bica_recording::ros::{ListResult, Names, Parameter};
 use bica_wire::model::Invalid;
 use ros2_client::dds::Server;
 
@@ -77,11 +77,6 @@ impl Parameters {
         }
         Ok(())
     }
-}
-
-/// Returns the result of a request: accepted, or refused for a reason.
-pub(super) fn result(result: Result<(), String>) -> SetResult {
-    SetResult { successful: result.is_ok(), reason: result.err().unwrap_or_default() }
 }
 
 impl Robot {

@@ -76,3 +76,8 @@ impl Pending {
         complete.map(|(_, (reply, results))| (reply, results.into_iter().flatten().collect())).collect()
     }
 }
+
+/// Returns the result of a request: accepted, or refused for a reason.
+pub(super) fn result(result: Result<(), String>) -> SetResult {
+    SetResult { successful: result.is_ok(), reason: result.err().unwrap_or_default() }
+}

@@ -7,8 +7,7 @@ use bica_wire::model::NamedRequest;
 use ros2_client::Gid;
 
 use super::operator::Operator;
-use super::parameters::result;
-use super::pending::Pending;
+use super::pending::{Pending, result};
 
 /// Shortest time between two lines of the log about refusals.
 const REPORT_AFTER: Duration = Duration::from_secs(1);

@@ -19,9 +19,10 @@ use super::{
     Byte, Clock, CompressedImage, DiagnosticArray, DiagnosticStatus, Header, KeyValue, Kind, Log, MarkerArray, Names,
     Parameter, ParameterEvent, ParameterValue, PointCloud, Ros as _, Text, Transforms,
 };
+use crate::cameras::Cameras;
 use crate::names::NameTable;
+use crate::preview::jpeg;
 use crate::shape::{CALIBRATION, OPTICAL, Pose, each, shapes};
-use crate::topics::{Cameras, jpeg};
 use convert::transform;
 use markers::markers;
 use output::OutputTopics;

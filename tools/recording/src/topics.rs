@@ -1,8 +1,5 @@
 //! Topics that other programs show: messages of ROS 2, derived from the messages of a recording, and ignored when it is read.
 
-mod cameras;
-mod preview;
-
 use std::collections::{BTreeMap, HashMap};
 
 use bica::Format;
@@ -14,17 +11,15 @@ use serde_json::{Map, Value, json};
 use crate::blob::BlobRecord;
 use crate::header::{Header, Topics};
 use crate::image_codec::ImageCoder;
+use crate::layout::{MAX_BLOBS, MAX_CYCLE_BYTES};
 use crate::mcap::Compression;
 use crate::message::{Channel, Costs, LogLine, RunEvent, TreeRecord};
 use crate::names::NameTable;
 use crate::outputs::OutputsRecord;
-use crate::recording::{MAX_BLOBS, MAX_CYCLE_BYTES};
+use crate::preview::{MAX_WIDTH, is_image};
 use crate::request::RequestRecord;
 use crate::ros::{self, Names, Sent, parameter_value};
 use crate::scenery::Scenery;
-pub use cameras::Cameras;
-pub use preview::{Jpeg, jpeg};
-use preview::{MAX_WIDTH, is_image};
 
 /// Shortest time from one preview of an image to the next, ns.
 const PREVIEW_AFTER: u64 = 290_000_000;

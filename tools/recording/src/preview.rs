@@ -4,12 +4,12 @@ use bica::Format;
 use jpeg_encoder::{Encoder, ImageBuffer, JpegColorType, rgb_to_ycbcr};
 
 /// Largest width of a preview, px.
-pub(super) const MAX_WIDTH: usize = 320;
+pub(crate) const MAX_WIDTH: usize = 320;
 /// Quality, 1 to 100.
 const QUALITY: u8 = 70;
 
 /// Returns whether large data is an image that can have a preview.
-pub(super) const fn is_image(format: Format<'_>) -> bool {
+pub(crate) const fn is_image(format: Format<'_>) -> bool {
     matches!(format, Format::Yuyv { .. } | Format::Gray8 { .. } | Format::Rgb8 { .. } | Format::Jpeg)
 }
 
