@@ -10,6 +10,8 @@
 
 use core::cell::Cell;
 
+use bica_core::Params;
+use bica_macros::Params;
 use glam::Vec2;
 
 use crate::circle::Circle;
@@ -35,24 +37,28 @@ const PIXEL_BUDGET: u32 = 12_000;
 /// Maximum mean number of runs per row in a region of a ball.
 const PIECES: u16 = 3;
 
-/// Thresholds of the ball detector.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BallTuning {
-    /// Minimum confidence of a reported ball of any size, 0 to 1.
+/// Detection of the ball in an image.
+#[derive(Clone, Copy, Debug, PartialEq, Params)]
+#[params(crate = bica_core)]
+pub struct BallDetection {
+    /// Minimum confidence of a ball with a radius of at least 12 px.
+    #[param(default = 0.4, range = 0.0..=1.0, step = 0.01)]
     pub min_confidence: f32,
-    /// Minimum confidence at a radius up to 6 px, where many objects are small or blurred; interpolated up to 12 px.
+    /// Minimum confidence of a ball with a radius up to 6 px; interpolated up to 12 px.
+    #[param(default = 0.6, range = 0.0..=1.0, step = 0.01)]
     pub min_confidence_if_small: f32,
-    /// Maximum share of a candidate region that the robot's own body may cover, 0 to 1.
+    /// Maximum share of an orange region that the robot's own body may cover.
+    #[param(default = 0.6, range = 0.0..=1.0, step = 0.05)]
     pub max_own_share: f32,
-    /// Errors of the camera pose, for the test of the size.
-    pub errors: Errors,
+    /// Consecutive sightings that confirm the ball.
+    #[param(default = 2, range = 1..=30)]
+    pub confirmations: u32,
+    /// Time without a confirmed sighting after which the ball is lost.
+    #[param(default = 2000, range = 0..=60_000, unit = "ms", step = 100)]
+    pub lost_after: u32,
 }
 
-impl BallTuning {
-    /// The default thresholds.
-    pub const DEFAULT: Self =
-        Self { min_confidence: 0.4, min_confidence_if_small: 0.6, max_own_share: 0.6, errors: Errors::NAO };
-
+impl BallDetection {
     fn needed_confidence(&self, radius: f32) -> f32 {
         let small = ((12.0 - radius) / 6.0).clamp(0.0, 1.0);
         self.min_confidence + small * (self.min_confidence_if_small - self.min_confidence)
@@ -111,27 +117,29 @@ impl<const N: usize> BallFinder<N> {
         field_boundary: &FieldBoundary,
         camera: Option<&Camera>,
     ) -> Option<Ball> {
-        self.find_tuned(frame, colours, field_boundary, camera, &OwnBody::NONE, &BallTuning::DEFAULT)
+        let camera = camera.map(|camera| (camera, &Errors::NAO));
+        self.find_tuned(frame, colours, field_boundary, camera, &OwnBody::NONE, &BallDetection::DEFAULT)
     }
 
-    /// Finds the ball as [`find`](Self::find) does, with thresholds of the caller, and ignores orange pixels on the robot's own
-    /// body.
+    /// Finds the ball as [`find`](Self::find) does, with thresholds of the caller and the errors of the camera's pose, and ignores
+    /// orange pixels on the robot's own body.
     pub fn find_tuned(
         &mut self,
         frame: &Frame<'_>,
         colours: &impl Classify,
         field_boundary: &FieldBoundary,
-        camera: Option<&Camera>,
+        camera: Option<(&Camera, &Errors)>,
         own: &OwnBody,
-        tuning: &BallTuning,
+        detection: &BallDetection,
     ) -> Option<Ball> {
         let area = Area::below((field_boundary.top().unwrap_or(0.0) - 8.0).max(0.0) as u16);
         // A ball of 3 px radius spans enough of every second row. The edge search reads all rows.
         self.runs.segment(frame, colours, ColourSet::of(Colour::Orange), area.every(2));
         self.regions.connect(&self.runs, 6);
-        let camera = camera.map(|camera| (camera, self.radius));
+        let radius = self.radius;
         let left = Cell::new(PIXEL_BUDGET);
-        CandidateSearch { frame, colours, field_boundary, camera, own, tuning, left }.best(self.regions.as_slice())
+        CandidateSearch { frame, colours, field_boundary, camera, radius, own, detection, left }
+            .best(self.regions.as_slice())
     }
 }
 
@@ -165,9 +173,12 @@ struct CandidateSearch<'a, C> {
     frame: &'a Frame<'a>,
     colours: &'a C,
     field_boundary: &'a FieldBoundary,
-    camera: Option<(&'a Camera, f32)>,
+    /// Camera, and the errors of its pose.
+    camera: Option<(&'a Camera, &'a Errors)>,
+    /// Radius of the ball, m.
+    radius: f32,
     own: &'a OwnBody,
-    tuning: &'a BallTuning,
+    detection: &'a BallDetection,
     /// Rest of the pixel budget [`PIXEL_BUDGET`].
     left: Cell<u32>,
 }
@@ -190,7 +201,7 @@ impl<C: Classify> CandidateSearch<'_, C> {
         let confidence = roundness * self.fullness(centre, radius, shade);
         let fits = self.is_sufficiently_visible(centre, radius) && self.is_on_field(centre, radius);
         let fits = fits && self.is_of_size(centre, radius) && !self.is_own(region);
-        (confidence >= self.tuning.needed_confidence(radius) && fits).then_some(Ball { centre, radius, confidence })
+        (confidence >= self.detection.needed_confidence(radius) && fits).then_some(Ball { centre, radius, confidence })
     }
 
     fn is_orange(&self, pixel: Pixel, shade: Shade) -> bool {
@@ -272,12 +283,12 @@ impl<C: Classify> CandidateSearch<'_, C> {
     /// Whether the robot's own body covers most of the region.
     fn is_own(&self, region: &Region) -> bool {
         let radius = 0.4 * f32::from(region.width().min(region.height()));
-        self.own.share(Vec2::from(region.centroid), radius) > self.tuning.max_own_share
+        self.own.share(Vec2::from(region.centroid), radius) > self.detection.max_own_share
     }
 
     /// Whether the circle has the size of a ball on the ground at that position.
     fn is_of_size(&self, centre: Vec2, radius: f32) -> bool {
-        let Some((camera, metres)) = self.camera else { return true };
-        ImageCircle { centre, radius }.ball(camera, metres, &self.tuning.errors).is_some()
+        let Some((camera, errors)) = self.camera else { return true };
+        ImageCircle { centre, radius }.ball(camera, self.radius, errors).is_some()
     }
 }

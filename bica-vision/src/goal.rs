@@ -5,7 +5,9 @@
 
 mod posts;
 
+use bica_core::Params;
 use bica_field::{FIELD, GoalColour};
+use bica_macros::Params;
 use glam::{Vec2, Vec3};
 
 use self::posts::PostSearch;
@@ -17,30 +19,38 @@ use crate::projection::Camera;
 use crate::segment::{Area, Runs};
 use crate::uncertainty::Errors;
 
-/// Thresholds of the goal detector.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GoalTuning {
-    /// Minimum height of a post, as a share of the frame height.
+/// Detection of goals in an image.
+#[derive(Clone, Copy, Debug, PartialEq, Params)]
+#[params(crate = bica_core, check = Self::is_ordered)]
+pub struct GoalDetection {
+    /// Minimum height of a post, as a share of the image height.
+    #[param(default = 0.05, range = 0.0..=0.5, step = 0.01)]
     pub min_post_height: f32,
     /// Minimum width of a post, relative to the expected width at its position.
+    #[param(default = 0.6, range = 0.0..=1.0, step = 0.05)]
     pub min_post_width: f32,
     /// Maximum width of a post, relative to the expected width at its position.
+    #[param(default = 1.6, range = 1.0..=4.0, step = 0.05)]
     pub max_post_width: f32,
-    /// Tolerated error of the camera's pitch, rad.
+    /// Tolerated error of the camera's pitch in the tests of posts.
+    #[param(default = 0.04, range = 0.0..=0.3, unit = "rad", step = 0.005)]
     pub pitch_error: f32,
-    /// Errors of the camera pose, for the test of the height.
-    pub errors: Errors,
+    /// Maximum relative error of the distance between two posts of one goal.
+    #[param(default = 0.3, range = 0.0..=1.0, step = 0.05)]
+    pub max_width_error: f32,
+    /// Minimum width of a gap to aim at, relative to the goal.
+    #[param(default = 0.25, range = 0.0..=1.0, step = 0.05)]
+    pub min_gap: f32,
 }
 
-impl GoalTuning {
-    /// The default thresholds.
-    pub const DEFAULT: Self = Self {
-        min_post_height: 0.05,
-        min_post_width: 0.6,
-        max_post_width: 1.6,
-        pitch_error: 0.04,
-        errors: Errors::NAO,
-    };
+impl GoalDetection {
+    const fn is_ordered(&self) -> Result<(), &'static str> {
+        if self.min_post_width < self.max_post_width {
+            Ok(())
+        } else {
+            Err("`min_post_width` must be below `max_post_width`")
+        }
+    }
 }
 
 /// Side of a post in its goal, seen from the field.
@@ -163,23 +173,29 @@ impl<const N: usize> GoalFinder<N> {
         field_boundary: &FieldBoundary,
         camera: Option<&Camera>,
     ) -> Goals {
-        self.find_tuned(frame, colours, field_boundary, camera, &GoalTuning::DEFAULT)
+        self.find_tuned(
+            frame,
+            colours,
+            field_boundary,
+            camera.map(|camera| (camera, &Errors::NAO)),
+            &GoalDetection::DEFAULT,
+        )
     }
 
-    /// Finds the goals as [`find`](Self::find) does, with thresholds of the caller.
+    /// Finds the goals as [`find`](Self::find) does, with thresholds of the caller and the errors of the camera's pose.
     pub fn find_tuned(
         &mut self,
         frame: &Frame<'_>,
         colours: &impl Classify,
         field_boundary: &FieldBoundary,
-        camera: Option<&Camera>,
-        tuning: &GoalTuning,
+        camera: Option<(&Camera, &Errors)>,
+        detection: &GoalDetection,
     ) -> Goals {
         let step = if frame.height() > 320 { 4 } else { 2 };
         self.runs.segment(frame, colours, Colour::Yellow | Colour::Blue, Area::ALL.every(step));
         let bars = bars::gather(&self.runs);
         let size = Vec2::new(f32::from(frame.width()), f32::from(frame.height()));
-        let search = PostSearch { size, runs: &self.runs, field_boundary, camera, tuning };
+        let search = PostSearch { size, runs: &self.runs, field_boundary, camera, detection };
         Goals { yellow: search.goal(GoalColour::Yellow, &bars), blue: search.goal(GoalColour::SkyBlue, &bars) }
     }
 }
@@ -187,5 +203,17 @@ impl<const N: usize> GoalFinder<N> {
 impl<const N: usize> Default for GoalFinder<N> {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_post_has_a_width() {
+        assert!(
+            GoalDetection { min_post_width: 1.0, max_post_width: 1.0, ..GoalDetection::DEFAULT }.is_ordered().is_err()
+        );
     }
 }

@@ -2,9 +2,10 @@
 //!
 //! A caller that needs fewer objects calls the detectors directly; each module states its cost.
 
+use bica_core::Params;
 use glam::Vec2;
 
-use crate::ball::{Ball, BallFinder, BallTuning};
+use crate::ball::{Ball, BallDetection, BallFinder};
 use crate::colour::Classify;
 use crate::field_boundary::FieldBoundary;
 use crate::frame::Frame;
@@ -14,6 +15,7 @@ use crate::markings::Markings;
 use crate::own_body::OwnBody;
 use crate::projection::Camera;
 use crate::robots::{self, Robots};
+use crate::uncertainty::Errors;
 
 /// All detectors, with memory for `B` runs of the ball's colour and `G` runs of the goals' colours.
 ///
@@ -62,7 +64,8 @@ impl<const B: usize, const G: usize> Pipeline<B, G> {
         own: &OwnBody,
     ) -> Detections {
         let boundary = FieldBoundary::find_with(frame, colours, camera);
-        let ball = self.balls.find_tuned(frame, colours, &boundary, camera, own, &BallTuning::DEFAULT);
+        let with_errors = camera.map(|camera| (camera, &Errors::NAO));
+        let ball = self.balls.find_tuned(frame, colours, &boundary, with_errors, own, &BallDetection::DEFAULT);
         let goals = self.goals.find(frame, colours, &boundary, camera);
         let robots = camera.map(|camera| robots::find(frame, colours, &boundary, Some(camera))).unwrap_or_default();
         let mut lines = lines::find(frame, colours, &boundary, camera);

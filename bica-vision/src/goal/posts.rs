@@ -6,21 +6,23 @@ use bica_field::{FIELD, GoalColour};
 use glam::Vec2;
 use heapless::Vec;
 
-use super::{Goal, GoalTuning, Post, PostSide};
+use super::{Goal, GoalDetection, Post, PostSide};
 use crate::bars::{BARS, Bar};
 use crate::colour::Colour;
 use crate::field_boundary::FieldBoundary;
 use crate::hypothesis;
 use crate::projection::Camera;
 use crate::segment::{Run, Runs};
+use crate::uncertainty::Errors;
 
 /// Inputs of the search in one frame.
 pub(super) struct PostSearch<'a, const N: usize> {
     pub(super) size: Vec2,
     pub(super) runs: &'a Runs<N>,
     pub(super) field_boundary: &'a FieldBoundary,
-    pub(super) camera: Option<&'a Camera>,
-    pub(super) tuning: &'a GoalTuning,
+    /// Camera, and the errors of its pose.
+    pub(super) camera: Option<(&'a Camera, &'a Errors)>,
+    pub(super) detection: &'a GoalDetection,
 }
 
 impl<const N: usize> PostSearch<'_, N> {
@@ -42,7 +44,7 @@ impl<const N: usize> PostSearch<'_, N> {
         let dense = f32::from(bar.rows * self.runs.step()) >= 0.5 * height;
         let least = if self.is_at_top(bar.top.y) { 0.5 } else { 1.5 };
         let upright = height >= least * bar.width && (bar.top.x - bar.bottom.x).abs() <= 0.7 * height;
-        let high = height >= self.tuning.min_post_height * self.size.y;
+        let high = height >= self.detection.min_post_height * self.size.y;
         dense && upright && high && self.stands_on_field(bar) && self.fits_camera(bar)
     }
 
@@ -66,18 +68,14 @@ impl<const N: usize> PostSearch<'_, N> {
 
     /// Whether the bar reaches the horizon, as a post is higher than the camera, and has a post's width at its position.
     fn fits_camera(&self, bar: &Bar) -> bool {
-        let Some(camera) = self.camera else { return true };
-        let slack = self.tuning.pitch_error * camera.intrinsics().focal.y;
+        let Some((camera, errors)) = self.camera else { return true };
+        let slack = self.detection.pitch_error * camera.intrinsics().focal.y;
         let reaches = camera.horizon(bar.top.x).is_some_and(|row| bar.top.y <= row + slack);
         let sees_foot = !self.is_at_bottom(bar.bottom.y);
         let sees_all = sees_foot && !self.is_at_top(bar.top.y);
         (reaches || self.is_at_top(bar.top.y))
-            && (!sees_foot || is_of_width(camera, bar, slack, self.tuning))
-            && (!sees_all || self.is_as_high(camera, bar))
-    }
-
-    fn is_as_high(&self, camera: &Camera, bar: &Bar) -> bool {
-        hypothesis::is_as_high(camera, bar.bottom, bar.top, FIELD.goal_height(), &self.tuning.errors)
+            && (!sees_foot || is_of_width(camera, bar, slack, self.detection))
+            && (!sees_all || hypothesis::is_as_high(camera, bar.bottom, bar.top, FIELD.goal_height(), errors))
     }
 
     fn post(&self, bar: &Bar) -> Post {
@@ -150,14 +148,14 @@ fn area(post: &Post) -> f32 {
 }
 
 /// Whether the bar has the width of a post at its foot's position, within the error of the camera's pitch.
-fn is_of_width(camera: &Camera, bar: &Bar, slack: f32, tuning: &GoalTuning) -> bool {
+fn is_of_width(camera: &Camera, bar: &Bar, slack: f32, detection: &GoalDetection) -> bool {
     let expected = |dy: f32| {
         let place = camera.ground(bar.bottom + Vec2::new(0.0, dy), 0.0)?;
         camera.sphere_radius(place.extend(FIELD.post_radius()), FIELD.post_radius()).map(|radius| 2.0 * radius)
     };
     let Some(thickest) = expected(slack) else { return false };
     let thinnest = expected(-slack).unwrap_or(0.0);
-    (tuning.min_post_width * thinnest - 2.0..=tuning.max_post_width * thickest + 4.0).contains(&bar.width)
+    (detection.min_post_width * thinnest - 2.0..=detection.max_post_width * thickest + 4.0).contains(&bar.width)
 }
 
 /// Pair of posts, left and right, of the largest plausible goal.

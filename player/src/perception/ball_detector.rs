@@ -7,7 +7,7 @@ use bica::visual::{Ellipse, ImageCircle, Point2};
 use bica_field::FIELD;
 use bica_motion::model::RobotModel;
 use bica_motion::robot::CameraId;
-use bica_vision::ball::{Ball, BallFinder};
+use bica_vision::ball::{Ball, BallDetection, BallFinder};
 use bica_vision::frame::Frame;
 use bica_vision::memory::ball::BallMemory;
 use bica_vision::memory::{PositionEstimate, visibility};
@@ -18,7 +18,7 @@ use super::{Bearing, CameraPose, FieldBoundary, Odometry, OwnBody};
 use crate::input::{CameraInput, Colours};
 use crate::{MODEL, shapes};
 
-pub use params::{BallDetection, BallTracking};
+pub use params::BallTracking;
 
 /// Finds the ball in the image and remembers its position while it is not seen.
 pub struct BallDetector {
@@ -112,8 +112,14 @@ impl BallDetector {
     ) -> Option<BallSighting> {
         let image = input.image();
         let (frame, camera) = (Frame::from_image(&image).ok()?, pose.camera()?);
-        let tuning = detection.tuning(*pose.errors());
-        let ball = self.finder.find_tuned(&frame, colours.table(), end.line(), Some(camera), own.body(), &tuning)?;
+        let ball = self.finder.find_tuned(
+            &frame,
+            colours.table(),
+            end.line(),
+            Some((camera, pose.errors())),
+            own.body(),
+            detection,
+        )?;
         Some(BallSighting { ball, bearing: Bearing::of(camera.ray(ball.centre)), camera: image.camera })
     }
 

@@ -8,7 +8,7 @@ use bica_field::{FIELD, GoalColour};
 use bica_motion::pose::rotate;
 use bica_vision::frame::Frame;
 use bica_vision::gap;
-use bica_vision::goal::{Goal, GoalFinder, Goals, Post, PostSide};
+use bica_vision::goal::{Goal, GoalDetection, GoalFinder, Goals, Post, PostSide};
 use bica_vision::memory::{Memory, PositionEstimate, visibility};
 use bica_vision::projection::Camera;
 use bica_vision::uncertainty::{self, Covariance, Errors};
@@ -19,7 +19,7 @@ use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
 use crate::input::{CameraInput, Colours};
 use crate::shapes;
 
-pub use params::{GoalDetection, GoalTracking};
+pub use params::GoalTracking;
 
 /// Standard deviation of the middle of the goal from one post of unknown side, m.
 const HALF_GOAL: f32 = 0.5 * FIELD.goal_width();
@@ -101,8 +101,8 @@ impl GoalDetector {
         pose: &CameraPose,
     ) -> Goals {
         let Ok(frame) = Frame::from_image(&input.image()) else { return Goals::default() };
-        let tuning = detection.tuning(*pose.errors());
-        self.finder.find_tuned(&frame, colours.table(), end.line(), pose.camera(), &tuning)
+        let camera = pose.camera().map(|camera| (camera, pose.errors()));
+        self.finder.find_tuned(&frame, colours.table(), end.line(), camera, detection)
     }
 
     /// Updates the remembered goal: two posts determine its position; one post corrects it, or gives a first estimate.

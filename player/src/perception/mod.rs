@@ -15,13 +15,13 @@ mod robot_detector;
 
 use bica::{Has, Tree};
 
-pub use ball_detector::{BallDetection, BallDetector, BallSighting, BallTracking};
+pub use ball_detector::{BallDetector, BallSighting, BallTracking};
 pub use bearing::Bearing;
 pub use camera_pose::{CameraErrors, CameraMounting, CameraPose};
 pub use fall_detector::{FallDetection, FallDetector};
 pub use field_boundary::FieldBoundary;
 pub use field_lines::FieldLines;
-pub use goal_detector::{GoalDetection, GoalDetector, GoalTracking};
+pub use goal_detector::{GoalDetector, GoalTracking};
 pub use localization::Localization;
 pub use odometry::{Odometry, OdometryCorrection};
 pub use own_body::{OwnBody, OwnShape};

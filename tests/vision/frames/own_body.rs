@@ -3,6 +3,7 @@
 use bica_motion::model::simulation::NAO;
 use std::ops::Range;
 
+use bica::Params;
 use bica_field::{FIELD, GoalColour};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::pose::Pose2;
@@ -11,7 +12,7 @@ use bica_motion::side::Side;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Setup, Start};
-use bica_vision::ball::{BallFinder, BallTuning};
+use bica_vision::ball::{BallDetection, BallFinder};
 use bica_vision::colour::{Classify, Colour, Filter, Filters};
 use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::Frame;
@@ -19,6 +20,7 @@ use bica_vision::own_body::OwnBody;
 use bica_vision::profile::{BUILT_IN, NAO_2009};
 use bica_vision::projection::Camera;
 use bica_vision::table::CompactTable;
+use bica_vision::uncertainty::Errors;
 use glam::{Affine3A, Vec2, Vec3};
 
 use super::recorded::Recorded;
@@ -126,7 +128,8 @@ fn body_outline_removes_false_balls_only() {
             let end = FieldBoundary::find_with(frame, &colours, Some(camera));
             // Without a camera pose, the detector cannot reject them by size.
             alone += usize::from(finder.find(frame, &colours, &end, None).is_some());
-            beside += usize::from(finder.find_tuned(frame, &colours, &end, None, own, &BallTuning::DEFAULT).is_some());
+            beside +=
+                usize::from(finder.find_tuned(frame, &colours, &end, None, own, &BallDetection::DEFAULT).is_some());
         },
     );
     println!("body parts detected as balls: {alone} without the body, {beside} with it");
@@ -140,7 +143,8 @@ fn body_outline_removes_false_balls_only() {
         let end = FieldBoundary::find_with(frame, &colours, Some(camera));
         let found = finder.find(frame, &colours, &end, Some(camera));
         balls += usize::from(found.is_some());
-        lost += usize::from(found != finder.find_tuned(frame, &colours, &end, Some(camera), own, &BallTuning::DEFAULT));
+        let camera = Some((camera, &Errors::NAO));
+        lost += usize::from(found != finder.find_tuned(frame, &colours, &end, camera, own, &BallDetection::DEFAULT));
     });
     println!("balls at the feet: {balls} seen, {lost} lost to the body");
     assert!(balls >= 20 && lost == 0, "{balls} {lost}");

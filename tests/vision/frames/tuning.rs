@@ -1,16 +1,18 @@
 //! Thresholds of the detectors must change the detections.
 
+use bica::Params;
 use bica_field::FIELD;
 use bica_motion::joints::Joint;
 use bica_motion::model::NAO;
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
-use bica_vision::ball::{BallFinder, BallTuning};
+use bica_vision::ball::{BallDetection, BallFinder};
 use bica_vision::field_boundary::FieldBoundary;
-use bica_vision::goal::{GoalFinder, GoalTuning};
+use bica_vision::goal::{GoalDetection, GoalFinder};
 use bica_vision::own_body::OwnBody;
 use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::projection::{Camera, Intrinsics, Mounting};
+use bica_vision::uncertainty::Errors;
 use glam::{Affine3A, Vec2, Vec3};
 
 use super::canvas::{Canvas, ORANGE, YELLOW};
@@ -29,7 +31,7 @@ fn own_body() -> OwnBody {
     OwnBody::of(NAO, &camera, CameraId::Bottom, &angles)
 }
 
-fn has_ball(canvas: &Canvas, own: &OwnBody, tuning: &BallTuning) -> bool {
+fn has_ball(canvas: &Canvas, own: &OwnBody, tuning: &BallDetection) -> bool {
     canvas.with_frame(|frame| {
         let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
         BallFinder::<512>::new(FIELD.ball_radius())
@@ -50,7 +52,7 @@ fn max_own_share_admits_a_partly_covered_ball() {
     let mut canvas = Canvas::field(320, 240, 0.0);
     canvas.disc(ORANGE, half, 20.0);
     for (max_own_share, found) in [(0.6, true), (0.2, false)] {
-        let tuning = BallTuning { max_own_share, ..BallTuning::DEFAULT };
+        let tuning = BallDetection { max_own_share, ..BallDetection::DEFAULT };
         assert_eq!(has_ball(&canvas, &own, &tuning), found, "{max_own_share}");
     }
 }
@@ -64,10 +66,10 @@ fn a_thick_post_needs_a_high_threshold_of_width() {
     let mut canvas = Canvas::field(320, 240, pixel(Vec3::new(3.0, 0.0, 0.0)).y);
     canvas.bar(YELLOW, pixel(foot), pixel(Vec3::new(2.0, 0.0, FIELD.goal_height())), 2.2 * width);
     for (max_post_width, found) in [(1.6, false), (3.0, true)] {
-        let tuning = GoalTuning { max_post_width, ..GoalTuning::DEFAULT };
+        let tuning = GoalDetection { max_post_width, ..GoalDetection::DEFAULT };
         let goals = canvas.with_frame(|frame| {
             let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
-            GoalFinder::<512>::new().find_tuned(frame, &BUILT_IN_TABLE, &end, Some(&camera), &tuning)
+            GoalFinder::<512>::new().find_tuned(frame, &BUILT_IN_TABLE, &end, Some((&camera, &Errors::NAO)), &tuning)
         });
         assert_eq!(goals.yellow.is_some(), found, "{max_post_width}: {width} px");
     }

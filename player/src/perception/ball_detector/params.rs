@@ -1,42 +1,9 @@
 //! Parameters of the ball detector.
 
 use bica::prelude::*;
-use bica_vision::ball::BallTuning;
 use bica_vision::memory::{BallMemoryTuning, MemoryTuning};
-use bica_vision::uncertainty::Errors;
 
 use crate::perception::Odometry;
-
-/// Detection of the ball in an image.
-#[derive(Params)]
-pub struct BallDetection {
-    /// Minimum confidence of a ball with a radius of at least 12 px.
-    #[param(default = 0.4, range = 0.0..=1.0, step = 0.01)]
-    pub(super) min_confidence: f32,
-    /// Minimum confidence of a ball with a radius up to 6 px; interpolated up to 12 px.
-    #[param(default = 0.6, range = 0.0..=1.0, step = 0.01)]
-    pub(super) min_confidence_if_small: f32,
-    /// Maximum share of an orange region that the robot's own body may cover.
-    #[param(default = 0.6, range = 0.0..=1.0, step = 0.05)]
-    pub(super) max_own_share: f32,
-    /// Consecutive sightings that confirm the ball.
-    #[param(default = 2, range = 1..=30)]
-    pub(super) confirmations: u32,
-    /// Time without a confirmed sighting after which the ball is lost.
-    #[param(default = 2000, range = 0..=60_000, unit = "ms", step = 100)]
-    pub(super) lost_after: u32,
-}
-
-impl BallDetection {
-    pub(super) const fn tuning(&self, errors: Errors) -> BallTuning {
-        BallTuning {
-            min_confidence: self.min_confidence,
-            min_confidence_if_small: self.min_confidence_if_small,
-            max_own_share: self.max_own_share,
-            errors,
-        }
-    }
-}
 
 /// Memory of a ball.
 #[derive(Params)]
@@ -95,15 +62,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_are_passed_to_the_detector() {
-        let detection = BallDetection { max_own_share: 0.1, ..BallDetection::DEFAULT };
-        let tuning = BallTuning { max_own_share: 0.1, ..BallTuning::DEFAULT };
-        assert_eq!(detection.tuning(Errors::NAO), tuning);
-    }
-
-    #[test]
     fn default_values_are_those_of_detector() {
-        assert_eq!(BallDetection::DEFAULT.tuning(Errors::NAO), BallTuning::DEFAULT);
         let memory = MemoryTuning { half_life: 2.0, ..MemoryTuning::DEFAULT };
         let tuning = BallTracking::DEFAULT.tuning(&Odometry::new());
         assert_eq!(tuning, BallMemoryTuning { memory, ..BallMemoryTuning::DEFAULT });

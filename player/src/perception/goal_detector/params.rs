@@ -1,55 +1,9 @@
 //! Parameters of the goal detector.
 
 use bica::prelude::*;
-use bica_vision::goal::GoalTuning;
 use bica_vision::memory::MemoryTuning;
-use bica_vision::uncertainty::Errors;
 
 use crate::perception::Odometry;
-
-/// Detection of goals in an image.
-#[derive(Params)]
-#[params(check = Self::is_ordered)]
-pub struct GoalDetection {
-    /// Minimum height of a post, as a share of the image height.
-    #[param(default = 0.05, range = 0.0..=0.5, step = 0.01)]
-    pub(super) min_post_height: f32,
-    /// Minimum width of a post, relative to the expected width at its position.
-    #[param(default = 0.6, range = 0.0..=1.0, step = 0.05)]
-    pub(super) min_post_width: f32,
-    /// Maximum width of a post, relative to the expected width at its position.
-    #[param(default = 1.6, range = 1.0..=4.0, step = 0.05)]
-    pub(super) max_post_width: f32,
-    /// Tolerated error of the camera's pitch in the tests of posts.
-    #[param(default = 0.04, range = 0.0..=0.3, unit = "rad", step = 0.005)]
-    pub(super) pitch_error: f32,
-    /// Maximum relative error of the distance between two posts of one goal.
-    #[param(default = 0.3, range = 0.0..=1.0, step = 0.05)]
-    pub(super) max_width_error: f32,
-    /// Minimum width of a gap to aim at, relative to the goal.
-    #[param(default = 0.25, range = 0.0..=1.0, step = 0.05)]
-    pub(super) min_gap: f32,
-}
-
-impl GoalDetection {
-    const fn is_ordered(&self) -> Result<(), &'static str> {
-        if self.min_post_width < self.max_post_width {
-            Ok(())
-        } else {
-            Err("`min_post_width` must be below `max_post_width`")
-        }
-    }
-
-    pub(super) const fn tuning(&self, errors: Errors) -> GoalTuning {
-        GoalTuning {
-            min_post_height: self.min_post_height,
-            min_post_width: self.min_post_width,
-            max_post_width: self.max_post_width,
-            pitch_error: self.pitch_error,
-            errors,
-        }
-    }
-}
 
 /// Memory of a goal.
 #[derive(Params)]
@@ -98,23 +52,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_are_passed_to_the_detector() {
-        let detection = GoalDetection { max_post_width: 2.0, pitch_error: 0.1, ..GoalDetection::DEFAULT };
-        let tuning = GoalTuning { max_post_width: 2.0, pitch_error: 0.1, ..GoalTuning::DEFAULT };
-        assert_eq!(detection.tuning(Errors::NAO), tuning);
-    }
-
-    #[test]
     fn default_values_are_those_of_detector() {
-        assert_eq!(GoalDetection::DEFAULT.tuning(Errors::NAO), GoalTuning::DEFAULT);
         let tuning = GoalTracking::DEFAULT.tuning(&Odometry::new());
         assert_eq!(tuning, MemoryTuning { half_life: 20.0, ..MemoryTuning::DEFAULT });
-    }
-
-    #[test]
-    fn a_post_has_a_width() {
-        assert!(
-            GoalDetection { min_post_width: 1.0, max_post_width: 1.0, ..GoalDetection::DEFAULT }.is_ordered().is_err()
-        );
     }
 }
