@@ -202,7 +202,7 @@ pub(crate) fn check(options: &Ci) -> Result<(), String> {
     let beside =
         (!waiting.is_empty() && !computing.is_empty()).then(|| Lane::start(&program, &computing)).transpose()?;
     let result = perform(if waiting.is_empty() { &computing } else { &waiting });
-    let beside = beside.map_or(Ok(()), Lane::wait);
+    let beside = beside.map_or(Ok(()), |lane| lane.wait(result.is_ok()));
     result.and(beside)?;
     eprintln!("xtask: {}", summary(&left_out));
     Ok(())
@@ -272,9 +272,13 @@ impl Lane {
         Ok(Self { process, log })
     }
 
-    /// Waits for the end, and prints the output.
-    fn wait(mut self) -> Result<(), String> {
+    /// Waits for the end, and prints the output. That of a success is left out if other steps failed, because their errors shall be
+    /// the last lines.
+    fn wait(mut self, others_passed: bool) -> Result<(), String> {
         let status = self.process.wait().map_err(|error| error.to_string())?;
+        if status.success() && !others_passed {
+            return Ok(());
+        }
         let log = fs::read(&self.log).map_err(|error| format!("cannot read {}: {error}", self.log.display()))?;
         eprintln!("xtask: output of the steps beside the others\n{}", String::from_utf8_lossy(&log));
         if status.success() { Ok(()) } else { Err("a step beside the others failed; its output is above".to_owned()) }
