@@ -22,8 +22,8 @@ fn geckodriver() -> PathBuf {
     if installed.exists() { installed } else { "geckodriver".into() }
 }
 
-/// Maximum number of starts of a driver that ends before it prints its port.
-const STARTS: u32 = 5;
+/// Maximum number of starts of a driver that ends before it prints its port, and of a browser that ends before it has a page.
+pub(crate) const STARTS: u32 = 5;
 
 /// A driver that ends with its browsers when this is dropped.
 pub(crate) struct Driver {

@@ -9,7 +9,7 @@ use hyper_util::client::legacy::connect::HttpConnector;
 use serde_json::{Value, json};
 use tokio::time::sleep;
 
-use crate::driver::{Driver, is_firefox};
+use crate::driver::{Driver, STARTS, is_firefox};
 use crate::element::Element;
 use crate::folder::target;
 use crate::server::Server;
@@ -104,7 +104,15 @@ impl Page {
             capabilities.insert("goog:chromeOptions".to_owned(), json!({ "args": arguments }));
             capabilities.insert("goog:loggingPrefs".to_owned(), json!({ "browser": "ALL" }));
         }
-        let client = ClientBuilder::new(HttpConnector::new()).capabilities(capabilities).connect(&driver.url).await;
+        let mut builder = ClientBuilder::new(HttpConnector::new());
+        builder.capabilities(capabilities);
+        let mut client = builder.connect(&driver.url).await;
+        // A browser sometimes ends while it starts, before it has a page.
+        for _ in 1..STARTS {
+            let Err(error) = &client else { break };
+            eprintln!("the browser is started again: {error}");
+            client = builder.connect(&driver.url).await;
+        }
         let client = client.expect("a browser");
         client.set_window_size(width, height).await.expect("a window");
         client.goto(url).await.expect("the page");
