@@ -35,8 +35,8 @@ function Boundary({ visible }) {
   const read = (name, time) => {
     const index = infos.findIndex((info) => info.name === name);
     if (index < 0) return null;
-    const information = shown.info_of(component, index);
-    return (cursor.value === null ? information.at(time) : information.now.value?.value) ?? null;
+    const output = shown.output(component, index);
+    return (cursor.value === null ? output.at(time) : output.now.value?.value) ?? null;
   };
   const draw = (context, width, height) => {
     const one = image();
@@ -55,7 +55,7 @@ function Boundary({ visible }) {
       <span class="dim">● first green of a column · <span class="warn">× rejected</span> · — found by the robot</span><span class="grow"></span>
       <${Toggle} on=${held.value?.session === shown.id} label="Freeze" onChange=${(on) => { held.value = on ? shown.image.value : null; }} /><//>
     <div class="fill picture"><${Canvas} reads=${() => { void [shown.image.value, held.value, found.value, columns.value, zoom.value, cursor.value]; }} draw=${draw} visible=${visible} label="End of the field in the image" ...${handlers} /></div>
-    <dl class="facts-row">${infos.map((info, index) => html`<div title=${info.doc}><dt>${words(info.name)}</dt><dd>${visible.value ? text(shown.info_of(component, index).now.value?.value) : ''} ${info.unit ?? ''}</dd></div>`)}</dl>`;
+    <dl class="facts-row">${infos.map((info, index) => html`<div title=${info.doc}><dt>${words(info.name)}</dt><dd>${visible.value ? text(shown.output(component, index).now.value?.value) : ''} ${info.unit ?? ''}</dd></div>`)}</dl>`;
 }
 
 function drawColumns(context, at, columns, height) {

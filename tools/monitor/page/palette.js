@@ -41,7 +41,7 @@ function ofComponents() {
     return [
       { kind: 'component', name, place: component.doc, value: [active ? 'active' : 'latent', states[state]?.name].filter(Boolean).join(', '), run: () => dock.openComponent(name) },
       ...states.map((one, number) => ({ kind: 'state', name: `${name}.${one.name}`, place: one.doc, value: active && number === state ? 'now' : 'the way there', run: () => { wish(name, one.name); dock.openComponent(name); } })),
-      ...info.map((one, number) => ({ kind: 'output', name: `${name}.${one.name}`, place: one.doc, value: `${shortText(shown.info_of(index, number).now.value?.value)} ${one.unit ?? ''}`, run: () => showControl(name, `History of ${one.name}`) })),
+      ...info.map((one, number) => ({ kind: 'output', name: `${name}.${one.name}`, place: one.doc, value: `${shortText(shown.output(index, number).now.value?.value)} ${one.unit ?? ''}`, run: () => showControl(name, `History of ${one.name}`) })),
       ...params.map((one, number) => ({ kind: 'parameter', name: `${name}.${one.name}`, place: one.doc, value: `${shortText(shown.params.value[index]?.[number])} ${one.unit ?? ''}`, run: () => showControl(name, one.name), set: [index, number] })),
     ];
   });

@@ -11,7 +11,7 @@ function partsOf(shown, name) {
   return { index, own, path, component: components[index] };
 }
 
-/** An output by its name `Component.information.path`: {place, path, unit}; null if there is none. */
+/** An output by its name `Component.output.path`: {place, path, unit}; null if there is none. */
 function output(shown, name) {
   const { index, own, path, component } = partsOf(shown, name);
   const info = component?.info.findIndex((one) => one.name === own) ?? -1;
@@ -65,7 +65,7 @@ export function resolved(shown, name) {
 
 /** The newest or shown value of a curve; null if it is not known. A rate is that of the last two samples. */
 export function valueNow(shown, { inputs, begin }) {
-  const all = inputs.map(({ place }) => shown.info_of(...place));
+  const all = inputs.map(({ place }) => shown.output(...place));
   const values = inputs.map(({ path }, index) => numberAt(all[index].now.value?.value, path));
   if (values.includes(null)) return null;
   const [time, evaluate] = [Math.max(...all.map(({ now, times }) => now.value.time ?? times.at(-1) ?? 0)), begin()];
@@ -83,7 +83,7 @@ function finite(value) {
 
 /** Samples of a curve within an interval, µs: Map from time to number. A value holds until the next one, or until its component is latent: null. */
 export function samples(shown, { inputs, begin }, [from, until]) {
-  const all = inputs.map(({ place }) => shown.info_of(...place));
+  const all = inputs.map(({ place }) => shown.output(...place));
   const step = Math.max(1, Math.floor(all[0].times.length / 4000));
   const times = new Set();
   for (const { times: own } of all) for (let index = 0; index < own.length; index += step) if (own[index] >= from && own[index] <= until) times.add(own[index]);

@@ -69,7 +69,7 @@ export function bytes(count) {
   return `${(count / 1e9).toFixed(2)} GB`;
 }
 
-/** A value of information as short text. */
+/** A value of an output as short text. */
 export function text(value) {
   if (value === null || value === undefined) return '–';
   if (typeof value === 'number' || typeof value === 'bigint') return number(value);

@@ -50,7 +50,7 @@ export function visuals(description, inImage) {
     .filter(({ info }) => info.frame && !NUMBERS.test(info.shape) && IN_IMAGE.test(info.shape) === inImage));
 }
 
-/** The output with measured joints: [component, information]; null if the tree has none. */
+/** The output with measured joints: [component, output]; null if the tree has none. */
 export function jointsOf(shown) {
   for (const [component, { info }] of (shown?.description.value?.components ?? []).entries()) {
     const index = info.findIndex(({ shape }) => shape === 'Joints');

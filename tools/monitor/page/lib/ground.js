@@ -8,7 +8,7 @@ function needed(shown) {
   return { calibration, poses: visuals(shown.description.value, false).filter(({ info }) => info.child && info.shape === 'Pose3') };
 }
 
-/** Information that the place needs: list for `watch`. */
+/** Outputs that the place needs: list for `watch`. */
 export function groundInfo(shown) {
   const { calibration, poses } = needed(shown);
   return [calibration, ...poses].filter(Boolean).map(({ component, index }) => [component, index, 3]);
@@ -20,7 +20,7 @@ export function groundInfo(shown) {
  */
 export function ground(shown, column, row) {
   const { calibration, poses } = needed(shown);
-  const read = ({ component, index }) => shown.info_of(component, index).now.value?.value;
+  const read = ({ component, index }) => shown.output(component, index).now.value?.value;
   const [known] = flat(calibration && read(calibration));
   const { matrix, notes } = known ? located(poses, read)(calibration.info.frame) : { notes: ['no camera'] };
   if (notes.length > 0) return null;

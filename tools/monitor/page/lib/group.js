@@ -12,7 +12,7 @@ const PARTS = /\{([^{}]+)\}/g;
 /** The shown value of an output of a session as text; empty without one. */
 export function shownText(of, name) {
   const place = resolved(of, name)?.place;
-  const value = place && valueAt(of.info_of(...place).now.value?.value, resolved(of, name).path);
+  const value = place && valueAt(of.output(...place).now.value?.value, resolved(of, name).path);
   return value === null || value === undefined ? '' : text(value);
 }
 

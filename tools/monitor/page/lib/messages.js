@@ -94,13 +94,13 @@ const HANDLERS = {
   info(message, of) {
     const changed = new Set();
     for (const [component, index, time, value] of message.samples) {
-      const information = of.info_of(component, index);
-      information.add(time, value);
-      changed.add(information);
+      const output = of.output(component, index);
+      output.add(time, value);
+      changed.add(output);
     }
-    for (const information of changed) {
-      if (isNewest(of)) information.showNewest();
-      information.version.value += 1;
+    for (const output of changed) {
+      if (isNewest(of)) output.showNewest();
+      output.version.value += 1;
     }
   },
   conditions(message, of) {

@@ -22,8 +22,8 @@ const USED = 33e3;
 
 /** Reads the values that belong to an image: the last ones before the next image. */
 function valueAt(shown, place, index, time, live) {
-  const information = shown.info_of(place, index);
-  return live ? information.at(time) : information.now.value?.value;
+  const output = shown.output(place, index);
+  return live ? output.at(time) : output.now.value?.value;
 }
 
 /** Each shape as its lines, [{x, y}], and its circles; `label` is where its name stands, none without one. */

@@ -24,7 +24,7 @@ export const titleOf = ({ name, of, beside }) => (beside === undefined ? name : 
 
 /** Reads the signals that change with the samples of curves. */
 export function readVersions(curves) {
-  for (const { of, inputs } of curves) for (const { place } of inputs) void of.info_of(...place).version.value;
+  for (const { of, inputs } of curves) for (const { place } of inputs) void of.output(...place).version.value;
 }
 
 /** Samples of a curve at the times of the chosen session. */
@@ -40,7 +40,7 @@ export function faultOf(shown, name) {
     resolve(shown, name);
     return '';
   } catch ({ message }) {
-    notify('error', message, 'write Component.information, as in the list of the field, or an expression such as hypot(A.x, A.y) or rate(A.x)');
+    notify('error', message, 'write Component.output, as in the list of the field, or an expression such as hypot(A.x, A.y) or rate(A.x)');
     return message;
   }
 }
@@ -55,7 +55,7 @@ async function readActivity(of, curves, [from, until]) {
       const ends = bars.filter(([, end], index) => end < last && bars[index + 1]?.[0] !== end).map(([, end]) => end);
       of.activityOf(component).add(bars[0]?.[0] === from ? ends : [from, ...ends], bars.map(([begin]) => begin));
     }
-    for (const { place } of curves.flatMap(({ inputs }) => inputs)) of.info_of(...place).version.value += 1;
+    for (const { place } of curves.flatMap(({ inputs }) => inputs)) of.output(...place).version.value += 1;
   } catch {
     // Samples are shown without it.
   }
@@ -74,11 +74,11 @@ export function useCurves(curves, shown, visible, key) {
     const read = async () => {
       await Promise.all([...Map.groupBy(curves, ({ of }) => of)].map(([of, all]) => readActivity(of, all, visibleRange.peek().map((at) => Math.max(0, Math.round(at + all[0].shift))))));
       for (const { of, shift, place } of curves.flatMap(({ of, shift, inputs }) => inputs.map(({ place }) => ({ of, shift, place })))) {
-        const information = of.info_of(...place);
+        const output = of.output(...place);
         const [from, until] = visibleRange.peek().map((at) => Math.max(0, Math.round(at + shift)));
-        if (information.times.length > 0 && information.times[0] <= from) continue;
+        if (output.times.length > 0 && output.times[0] <= from) continue;
         try {
-          information.prepend(await request('series', { session: of.id, component: place[0], info: place[1], from_us: from, until_us: until, points: POINTS }));
+          output.prepend(await request('series', { session: of.id, component: place[0], info: place[1], from_us: from, until_us: until, points: POINTS }));
         } catch {
           // A recording may lack it; live samples are sent in any case.
         }

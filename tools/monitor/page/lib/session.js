@@ -10,7 +10,7 @@ const MAX_IMAGES = 8;
 const LATE = 250e3;
 
 /** Values of an output over time, and the newest one for the cursor. */
-export class Information {
+export class Output {
   /** `activity` has the times at which its component became latent, and active, in order. */
   constructor(activity = new Activity()) {
     this.activity = activity;
@@ -134,7 +134,7 @@ export class Session {
     this.lines = [];
     this.linesVersion = signal(0);
     this.conditions = new Map();
-    this.information = new Map();
+    this.outputs = new Map();
     /** Activity of each component, by its index. */
     this.activities = new Map();
     this.incoming = [];
@@ -150,7 +150,7 @@ export class Session {
     this.lines = [];
     this.linesVersion.value += 1;
     this.worst.value = [];
-    this.information.clear();
+    this.outputs.clear();
     this.activities.clear();
     this.conditions.clear();
     this.live.value = null;
@@ -161,10 +161,10 @@ export class Session {
     this.description.value = description;
   }
 
-  info_of(component, index) {
+  output(component, index) {
     const key = component * 65536 + index;
-    let known = this.information.get(key);
-    if (!known) this.information.set(key, (known = new Information(this.activityOf(component))));
+    let known = this.outputs.get(key);
+    if (!known) this.outputs.set(key, (known = new Output(this.activityOf(component))));
     return known;
   }
 
@@ -185,7 +185,7 @@ export class Session {
     [this.moment.value, this.costs.value, this.truth.value, this.image.value] = [this.live.value, costs, truth, image];
     this.images = image ? [image] : [];
     for (const [component, shown] of this.conditions) shown.value = conditions.get(component) ?? null;
-    for (const information of this.information.values()) information.showNewest();
+    for (const output of this.outputs.values()) output.showNewest();
   }
 
   /** Shows a moment of the past: the answer to `at`, with the requested outputs and image. What is not known is empty. */
@@ -196,18 +196,18 @@ export class Session {
     this.costs.value = costs;
     for (const shown of this.conditions.values()) shown.value = null;
     for (const one of moment.conditions) this.conditions_of(one.component).value = one;
-    for (const [component, index] of info) this.info_of(component, index).now.value = { time: null, value: null };
-    for (const [component, index, time, value] of moment.info) this.info_of(component, index).now.value = { time, value };
+    for (const [component, index] of info) this.output(component, index).now.value = { time: null, value: null };
+    for (const [component, index, time, value] of moment.info) this.output(component, index).now.value = { time, value };
     if (image && moment.image === null) [this.images, this.image.value] = [[], null];
   }
 
   /**
-   * The newest image of which all findings, [component, information], are known: components run at their own rates, so those of an
+   * The newest image of which all findings, [component, output], are known: components run at their own rates, so those of an
    * image are known when the next one was taken in. `findings_us` of the image is the time of their last values.
    */
   matchedImage(findings) {
     const newest = this.images.at(-1) ?? null;
-    const known = Math.min(...findings.map(([component, info]) => this.info_of(component, info).times.at(-1) ?? 0));
+    const known = Math.min(...findings.map(([component, info]) => this.output(component, info).times.at(-1) ?? 0));
     for (let at = this.images.length - 2; at >= 0; at -= 1) {
       const [image, next] = [this.images[at], this.images[at + 1]];
       // Findings that do not come at all, as of a paused world, are not waited for.

@@ -38,10 +38,10 @@ export const excess = (text, max = Infinity) => Math.max(0, [...String(text)].le
 export const TooLong = ({ text, max }) => excess(text, max) > 0 && html`<small class="warn" role="alert">at most ${max} characters; this has ${max + excess(text, max)}</small>`;
 
 /** A curve of the last values before the shown moment, drawn as one path. */
-export function Spark({ information, path, pick, span = 10e6 }) {
-  void information.version.value;
-  const { times, values } = information;
-  const end = cursor.value === null ? times.length : information.count(cursor.value);
+export function Spark({ output, path, pick, span = 10e6 }) {
+  void output.version.value;
+  const { times, values } = output;
+  const end = cursor.value === null ? times.length : output.count(cursor.value);
   const last = times[end - 1];
   if (last === undefined) return html`<svg class="spark" aria-hidden="true"></svg>`;
   let start = end;

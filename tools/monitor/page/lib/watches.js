@@ -5,7 +5,7 @@ import { computed, effect, signal, untracked } from './dom.js';
 import { request } from './connection.js';
 import { resolve } from './curves.js';
 import { numberAt, typedNumber } from './format.js';
-import { Information } from './session.js';
+import { Output } from './session.js';
 import { act, cycle_us, newest, seek, session, watch as wish } from './store.js';
 
 /** All watches: {text, pause}: the condition with its time, as `Walk.speed > 0.2 for 1 s`, and whether a simulated world is paused. */
@@ -105,7 +105,7 @@ class Course {
 async function readPast(shown, { inputs }) {
   const { from_us: from, until_us: until } = shown.info.peek();
   const part = Math.floor(POINTS * cycle_us.peek());
-  const sources = inputs.map(() => new Information());
+  const sources = inputs.map(() => new Output());
   for (const [index, { place }] of inputs.entries()) {
     for (let begin = from; begin <= until; begin += part) {
       const samples = await request('series', { session: shown.id, component: place[0], info: place[1], from_us: begin, until_us: begin + part - 1, points: POINTS });
@@ -141,10 +141,10 @@ function follow(shown, { text, pause }) {
     publish();
     if (!isLive || ended) return;
     stop = effect(() => {
-      for (const place of places) void shown.info_of(...place).version.value;
+      for (const place of places) void shown.output(...place).version.value;
       const now = shown.live.value?.time_us ?? 0;
       const before = course.fired.length;
-      if (!course.go(places.map((place) => shown.info_of(...place)), now)) return;
+      if (!course.go(places.map((place) => shown.output(...place)), now)) return;
       setTimeout(publish);
       if (course.fired.length > before) setTimeout(() => raise(shown, { text, pause }, course.fired.at(-1)));
     });

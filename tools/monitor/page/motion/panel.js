@@ -76,7 +76,7 @@ function Tools() {
   const disabled = Boolean(held.value) || !keys.value?.length;
   const isFixed = table.value?.array === null;
   const takes = () => {
-    const now = shown.info_of(...place).now.value?.value;
+    const now = shown.output(...place).now.value?.value;
     if (now) take(new Map(now.names.map((name, index) => [name, now.positions[index]])));
   };
   const scale = (text) => { if (Number(text) > 0) scaleTime(Number(text) / 100); };

@@ -71,7 +71,7 @@ async function play(request) {
     isPlanned = !cancelled.value && sessions.value.has(shown.id) && shown.live.value?.time_us > begin - before * 1e6 - 1e5;
   }
   playing.value = false;
-  const { times, values } = shown.info_of(...jointsOf(shown));
+  const { times, values } = shown.output(...jointsOf(shown));
   const of = (time) => (time > begin && time <= end ? [(time - begin) / 1e6] : []);
   const course = times.flatMap((time, at) => of(time).map((since) => [since, null, values[at].positions.map((angle) => (angle * 180) / Math.PI)]));
   const first = (event) => shown.lines.flatMap(({ source, text, time_us }) => (event && source === 'world' && text.startsWith(event) ? of(time_us) : []))[0] ?? null;

@@ -55,7 +55,7 @@ export function Camera({ visible }) {
   }
   const reads = () => {
     // An image is drawn when its findings arrive.
-    if (findings.length > 0) void shown.info_of(...findings[0]).version.value;
+    if (findings.length > 0) void shown.output(...findings[0]).version.value;
     void [shown.image.value, frozen.value, only.value, zoom.value, pointer.value, hidden.value, cursor.value];
   };
   const draw = (context, width, height) => {

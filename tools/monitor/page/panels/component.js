@@ -5,7 +5,7 @@ import { duration, niceStep, number, time } from '../lib/format.js';
 import { openComponent, openSources } from '../lib/dock.js';
 import { command, cursor, hello, selected, session, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
-import { InformationList } from './component/information.js';
+import { OutputList } from './component/outputs.js';
 import { Modulations } from './component/modulations.js';
 import { Parameters } from './component/parameters.js';
 import { First, Why } from './component/why.js';
@@ -38,7 +38,7 @@ export function ComponentTab({ visible, params, retitle }) {
     ${component.modulations.length > 0 && html`<${Modulations} ...${{ component, index }} />`}
     <${Why} ...${{ shown, component, index }} />
     ${component.doc && html`<p class="doc">${component.doc}</p>`}
-    ${component.info.length > 0 && html`<${InformationList} ...${{ shown, component, index, visible }} />`}
+    ${component.info.length > 0 && html`<${OutputList} ...${{ shown, component, index, visible }} />`}
   </article>`;
 }
 

@@ -1,4 +1,4 @@
-// Curves of information over time. Rows of a component tab are dropped here, or chosen by name.
+// Curves of outputs over time. Rows of a component tab are dropped here, or chosen by name.
 
 import uPlot from '../vendor/uplot.js';
 import { effect, html, useEffect, useRef, useSignal } from '../lib/dom.js';
@@ -62,8 +62,8 @@ export function Plot({ visible, params, remember }) {
   const all = description.components.flatMap((component) => component.info.map((info) => `${component.name}.${info.name}`));
   return html`<div class=${`plot ${over.value ? 'over' : ''}`} onDragOver=${(event) => { event.preventDefault(); over.value = true; }} onDragLeave=${() => { over.value = false; }} onDrop=${drop}>
     <${Bar} label="Plot">
-      <form class="join" onSubmit=${submit}><input list="all-information" placeholder="Output or f(x)…" aria-label="Information to plot" aria-invalid=${fault.value !== ''} title=${fault.value} value=${typed.value} onInput=${(event) => { [typed.value, fault.value] = [event.target.value, '']; }} /><button>Add</button></form>
-      <datalist id="all-information">${all.map((name) => html`<option value=${name}></option>`)}</datalist>
+      <form class="join" onSubmit=${submit}><input list="all-outputs" placeholder="Output or f(x)…" aria-label="Output to plot" aria-invalid=${fault.value !== ''} title=${fault.value} value=${typed.value} onInput=${(event) => { [typed.value, fault.value] = [event.target.value, '']; }} /><button>Add</button></form>
+      <datalist id="all-outputs">${all.map((name) => html`<option value=${name}></option>`)}</datalist>
       <button disabled=${curves.length === 0} onClick=${() => csv(curves)}>CSV</button>
       ${shown.info.value.kind !== 'recording' && range.value.end !== null && html`<button class="live" onClick=${() => seek(null)}>Live</button>`}
       <div class="legend" role="list" aria-label="Curves">${names.value.map((name, index) => html`<${Curve} key=${name} ...${{ name, index, shown, beside: beside.filter((one) => one.name === name), remove: () => set(names.value.filter((one) => one !== name)) }} />`)}</div>
@@ -78,16 +78,16 @@ export function Plot({ visible, params, remember }) {
 /** Names of the curves of a value: of a struct, one for each of its numbers. */
 function expand(shown, { name, place, path }) {
   if (!place) return [name];
-  const information = shown.info_of(...place);
-  void information.version.value;
-  const value = valueAt(information.now.value?.value ?? information.values.findLast((one) => one !== null), path);
+  const output = shown.output(...place);
+  void output.version.value;
+  const value = valueAt(output.now.value?.value ?? output.values.findLast((one) => one !== null), path);
   const parts = value !== null && typeof value === 'object' ? numbers(value) : [];
   return parts.length > 0 ? parts.slice(0, 6).map(([one]) => name + one) : [name];
 }
 
 function Curve({ name, index, shown, beside, remove }) {
   const curve = resolved(shown, name);
-  const now = curve?.place ? shown.info_of(...curve.place).now.value?.value : null;
+  const now = curve?.place ? shown.output(...curve.place).now.value?.value : null;
   const watch = () => {
     draft.value = `${name} > ${number((curve && valueNow(shown, curve)) ?? 0)} for 1 s`;
     open('watches');

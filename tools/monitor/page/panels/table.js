@@ -69,7 +69,7 @@ export function Table({ visible, params, remember }) {
 /** The value of a curve at the shown moment, as text. */
 function shownValue(curve) {
   const value = valueNow(curve.of, curve);
-  return value === null && curve.place ? text(valueAt(curve.of.info_of(...curve.place).now.value?.value, curve.path)) : number(value);
+  return value === null && curve.place ? text(valueAt(curve.of.output(...curve.place).now.value?.value, curve.path)) : number(value);
 }
 
 const Session = ({ curve: { of, beside } }) => html`<th class="n" scope="col" ref=${(head) => { if (head) head.style.color = beside === undefined ? '' : besideColour(beside); }}>${of.info.value.name}</th>`;
@@ -118,7 +118,7 @@ function History({ curves }) {
   const columns = curves.map((curve) => {
     const { place, path, of, shift } = curve;
     if (!place) return samplesAt(curve, [0, shownTime.value]);
-    const { times, values } = of.info_of(...place);
+    const { times, values } = of.output(...place);
     return new Map(times.map((at, index) => [at - shift, valueAt(values[index], path)]));
   });
   const all = [...new Set(columns.flatMap((column) => [...column.keys()]))].filter((at) => at <= shownTime.value).sort((a, b) => a - b).slice(-4 * ROWS);

@@ -6,7 +6,7 @@ import { list, machine, opened } from './sources.js';
 
 const base = (type) => type.replace(/<.*$/, '').split('::').at(-1);
 
-/** Information and modulations of a component: of the robot's description, and of the open file. */
+/** Outputs and modulations of a component: of the robot's description, and of the open file. */
 function methodsOf(child) {
   const name = base(child);
   const described = session.value?.description.value?.components.find((one) => one.name === name);
@@ -18,7 +18,7 @@ function methodsOf(child) {
   const here = opened.value?.model.components.find((one) => base(one.name.text) === name);
   for (const [which, end] of [['info', '()'], ['modulations', '(']]) {
     for (const { function: own } of here?.[which] ?? []) {
-      if (!found.has(own.name.text)) found.set(own.name.text, { label: own.name.text, detail: which === 'info' ? 'information' : 'modulation', info: own.docs.text || undefined, type: 'method', apply: own.name.text + end });
+      if (!found.has(own.name.text)) found.set(own.name.text, { label: own.name.text, detail: which === 'info' ? 'output' : 'modulation', info: own.docs.text || undefined, type: 'method', apply: own.name.text + end });
     }
   }
   return [...found.values()];

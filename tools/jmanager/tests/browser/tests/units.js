@@ -38,8 +38,8 @@ async function curves() {
   of.describe({ components: [{ name: 'Filter<3>', links: [], params: [{ name: 'verstärkung', default: 0.5 }], info: [{ name: 'höhe', unit: 'm' }, { name: 'stamp', unit: 'ns' }] }] }, []);
   for (let second = 0; second < 10; second += 1) {
     if (second > 5 && second < 8) continue;
-    of.info_of(0, 0).add(second * 1e6, second * 2);
-    of.info_of(0, 1).add(second * 1e6, 1764250000123456789n + BigInt(second));
+    of.output(0, 0).add(second * 1e6, second * 2);
+    of.output(0, 1).add(second * 1e6, 1764250000123456789n + BigInt(second));
   }
   of.activityOf(0).add([5.5e6], [8e6]);
   of.showNewest();

@@ -26,7 +26,7 @@ function posed(links, { names, positions }) {
 export function useBody(shown, description, wanted) {
   const body = useSignal(null);
   const place = jointsOf(shown);
-  const joints = () => (place ? shown.info_of(...place).now.value?.value : undefined);
+  const joints = () => (place ? shown.output(...place).now.value?.value : undefined);
   useEffect(() => (place && wanted ? watch({ info: [[...place, 3]] }) : undefined), [shown, description, wanted]);
   const names = wanted && body.value?.of !== shown ? joints()?.names : undefined;
   useEffect(() => {

@@ -21,7 +21,7 @@ export function sourceOf(shown) {
   const outputs = visuals(shown.description.value, false);
   const count = (frame) => outputs.filter(({ info }) => info.frame === frame).length;
   const main = outputs.reduce((best, { info }) => (best === undefined || count(info.frame) > count(best) ? info.frame : best), undefined);
-  const read = ({ component, index }) => shown.info_of(component, index).now.value?.value;
+  const read = ({ component, index }) => shown.output(component, index).now.value?.value;
   const truth = () => shown.truth.value?.truth ?? [];
   return { shown, outputs, main, read, truth, place: () => located(outputs, read, truth()), pose: outputs.find(({ info }) => info.child === main), key: shown.id };
 }

@@ -25,7 +25,7 @@ export function ComponentFields({ machine }) {
       ${hooks.map((hook) => html`<div class="child" key=${hook.function.name.text}><em class="dim">${hook.role}</em> <${Name} value=${hook.function.name.text} label=${`Name of the ${hook.role} hook`} />
         <button class="small" aria-label=${`Delete ${hook.function.name.text}`} onClick=${() => change({ edit: 'delete', function: hook.function.name.text })}>×</button></div>`)}
       <div class="buttons">${['start', 'stop'].filter((role) => !hooks.some((hook) => hook.role === role)).map((role) => html`<button class="small" onClick=${() => addHook(role, [], free)}>Add a ${role} hook</button>`)}</div></section>
-    ${[['info', 'Information'], ['modulations', 'Modulations'], ['work', 'Beside the loop']].map(([key, title]) => component[key].length > 0 && html`<section aria-label=${title}><h3>${title}</h3>
+    ${[['info', 'Outputs'], ['modulations', 'Modulations'], ['work', 'Beside the loop']].map(([key, title]) => component[key].length > 0 && html`<section aria-label=${title}><h3>${title}</h3>
       ${component[key].map(({ function: { name: own, docs } }) => html`<div class="child" key=${own.text} title=${docs.text}><${Field} value=${own.text} label=${`Name of ${own.text}`} spellcheck="false" onCommit=${(to) => to.trim() && renameUsed(own.text, to.trim())} /></div>`)}</section>`)}
     <${Parameters} />`;
 }

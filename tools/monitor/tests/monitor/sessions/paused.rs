@@ -17,7 +17,7 @@ fn watched(page: &Page, (component, info): (usize, usize)) -> (u32, u64, u64, Va
     };
     page.send(Request::Watch { watch });
     let (mut image, mut count, mut truth) = (None, None, None);
-    page.wait("image, information and truth", |got| {
+    page.wait("image, outputs and truth", |got| {
         match got {
             Got::Binary(frame) if frame[0] == 1 && frame[24..28] == [0; 4] => {
                 let number = u32::from_le_bytes(frame[8..12].try_into().unwrap());

@@ -36,7 +36,7 @@ async fn on_map(page: &Page, (x, y): (f64, f64)) -> (f64, f64) {
 /// Waits until the head's pan, which the component's tab shows, meets a condition.
 async fn pan(page: &Page, condition: &str) {
     let script = format!(
-        "const pan = Number.parseFloat(document.querySelector('[aria-label=Information] .v[aria-label=pan]')?.textContent \
+        "const pan = Number.parseFloat(document.querySelector('[aria-label=Outputs] .v[aria-label=pan]')?.textContent \
         .replace('−', '-')); \
         return pan {condition}"
     );

@@ -96,7 +96,7 @@ async fn six_curves(page: &Page) {
     tab(page, "Plot").await;
     let names = ["Head.pan", "Head.tilt", "RobotState.roll", "RobotState.pitch"];
     for name in names.into_iter().chain(["BallDetector.ball_position.x", "BallDetector.ball_position.y"]) {
-        page.find("combobox", "Information to plot", "Plot").await.set(name).await;
+        page.find("combobox", "Output to plot", "Plot").await.set(name).await;
         page.click("button", "Add", "Plot").await;
     }
 }

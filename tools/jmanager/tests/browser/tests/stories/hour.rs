@@ -125,7 +125,7 @@ async fn watch(hour: &mut Hour<'_>) {
     hour.page.find("button", "Time: live", "").await;
     hour.begin("Plot an output");
     hour.click("tab", "Plot", "").await;
-    hour.set("combobox", "Information to plot", "Head.pan").await;
+    hour.set("combobox", "Output to plot", "Head.pan").await;
     hour.click("button", "Add", "Plot").await;
     hour.page.find("button", "Remove Head.pan", "").await;
     hour.begin("List outputs as a table");

@@ -77,7 +77,7 @@ async fn curves_are_added_to_a_plot_and_removed() {
     let (_server, page) = game("plot").await;
     tab(&page, "Plot").await;
     page.reads("No curve yet").await;
-    let field = page.find("combobox", "Information to plot", "Plot").await;
+    let field = page.find("combobox", "Output to plot", "Plot").await;
     field.set("Head.pan").await;
     page.click("button", "Add", "Plot").await;
     page.is(".curve b", "/-?\\d/.test(one.textContent)").await;

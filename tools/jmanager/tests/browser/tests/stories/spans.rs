@@ -56,7 +56,7 @@ async fn span_is_measured_played_and_exported() {
         page_run(&page, "return statistics(new Map([[0, 0], [250, 4], [900, null], [2000, 9]]), [0, 1000])").await;
     assert_eq!((&measured["min"], &measured["max"], &measured["mean"]), (&json!(0), &json!(4), &json!(2600.0 / 900.0)));
     tab(&page, "Plot").await;
-    page.find("combobox", "Information to plot", "").await.set("Head.pan").await;
+    page.find("combobox", "Output to plot", "").await.set("Head.pan").await;
     page.click("button", "Add", "Plot").await;
     let measures = "const cells = document.querySelectorAll('.stats tbody .n'); \
         return cells.length === 5 && cells[1].textContent !== '–' && Number(cells[1].textContent)";
