@@ -3,6 +3,7 @@
 //! Tests of the manifests: every test belongs to a test program, and generic packages use no robot's.
 
 mod cargo;
+mod circles;
 mod citations;
 mod commands;
 mod links;
@@ -94,6 +95,13 @@ fn targets_without_test_program_have_no_tests() {
 fn libraries_without_doctests_have_no_examples() {
     let files = untested::with_examples(&cargo::packages());
     assert!(files.is_empty(), "examples that never run, as their manifest says `doctest = false`: {files:?}");
+}
+
+#[test]
+fn modules_of_a_package_are_in_no_circle() {
+    let (circles, read) = circles::found(&Page::read_all("rs"));
+    assert!(circles.is_empty(), "modules that use each other, or what does:\n{}", circles.join("\n"));
+    assert!(read > 60, "only {read} modules were found: are the sources read?");
 }
 
 #[test]
