@@ -17,6 +17,7 @@ mod ros;
 mod run;
 mod start;
 mod tool;
+mod values;
 mod world;
 
 pub use app::App;
@@ -29,5 +30,6 @@ pub use params::{InForce, Layer, TuningArgs, in_force, print_in_force};
 pub use record::{Images, RecordArgs, RecordedFile, TopicsArg};
 #[cfg(feature = "ros")]
 pub use ros::NodeArgs;
-pub use run::{RunArgs, seconds};
+pub use run::RunArgs;
+pub use values::seconds;
 pub use world::WorldOptions;

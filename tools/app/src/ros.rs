@@ -7,7 +7,7 @@ use bica_ros::Options;
 use clap::{Args, Subcommand};
 
 use crate::console::{Console, Failure, Outcome, interrupt};
-use crate::link::address;
+use crate::values::address;
 
 /// Largest ROS domain: larger ones have no ports.
 const MAX_DOMAIN: i64 = 232;

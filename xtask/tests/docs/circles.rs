@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::pages::Page;
 
 /// Packages whose modules use each other in one direction. The macros of `bica-core` need its traits to name each other.
-const LAYERED: [&str; 6] = ["bica-wire", "tools/link", "tools/monitor", "tools/recording", "tools/ros", "tools/vicode"];
+const LAYERED: [&str; 7] =
+    ["bica-wire", "tools/app", "tools/link", "tools/monitor", "tools/recording", "tools/ros", "tools/vicode"];
 
 /// Modules of a package's root, each with those that it uses.
 type Uses = BTreeMap<String, BTreeSet<String>>;
@@ -18,7 +19,9 @@ pub(crate) fn found(sources: &[Page]) -> (Vec<String>, usize) {
         read += uses.len();
         while let Some(last) = uses.iter().find_map(|(name, used)| used.is_empty().then(|| name.clone())) {
             uses.remove(&last);
-            uses.values_mut().for_each(|used| _ = used.remove(&last));
+            for used in uses.values_mut() {
+                used.remove(&last);
+            }
         }
         circles.extend((!uses.is_empty()).then(|| format!("{package}: {uses:?}")));
     }

@@ -16,7 +16,7 @@ use bica::runner::Robot;
 use clap::Args;
 
 use crate::console::{Console, Failure, Outcome, Style};
-use crate::run::seconds;
+use crate::values::seconds;
 use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 use figures::Figures;
 use measure::Times;

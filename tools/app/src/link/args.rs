@@ -7,7 +7,7 @@ use bica_link::Address;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand};
 
-use crate::run::seconds;
+use crate::values::{address, seconds};
 
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Link {
@@ -160,8 +160,4 @@ fn held(text: &str) -> Result<(String, Hold), String> {
         _ => return Err("write it as COMPONENT=active, COMPONENT=latent or COMPONENT=tree".to_owned()),
     };
     Ok((component.to_owned(), hold))
-}
-
-pub(crate) fn address(text: &str) -> Result<Address, String> {
-    text.parse().map_err(|error: bica_link::Error| error.help())
 }

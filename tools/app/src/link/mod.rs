@@ -22,7 +22,6 @@ use args::LinkAction;
 use describe::{describe_actions, describe_component};
 
 use crate::console::{Console, Failure, Outcome, Style, interrupt};
-pub(crate) use args::address;
 pub use serve::{RosNode, ServeArgs};
 
 /// Time between two checks for Ctrl-C.

@@ -6,9 +6,9 @@ use bica_link::{Address, LinkRequests};
 use bica_wire::model::Description;
 use clap::Args;
 
-use super::args::address;
 use super::breakpoints;
 use crate::console::{Console, Failure};
+use crate::values::address;
 
 /// Arguments that say how a robot is served to monitors.
 #[derive(Clone, Debug, Args)]

@@ -6,7 +6,7 @@ use bica_link::Address;
 use clap::{Args, Subcommand};
 
 use super::file::TopicsArg;
-use crate::link::address;
+use crate::values::{address, time};
 
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Record {
@@ -127,10 +127,4 @@ pub(super) struct PlayArgs {
 fn speed(text: &str) -> Result<f64, String> {
     let fits = text.parse().ok().filter(|speed: &f64| (0.01..=100.0).contains(speed));
     fits.ok_or_else(|| "give a speed from 0.01 to 100".to_owned())
-}
-
-/// Parses a time in a recording, s since its first cycle.
-pub(crate) fn time(text: &str) -> Result<f64, String> {
-    let fits = text.parse().ok().filter(|time: &f64| time.is_finite() && *time >= 0.0);
-    fits.ok_or_else(|| "give a time in seconds since the first cycle, 0 or more".to_owned())
 }

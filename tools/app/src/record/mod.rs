@@ -15,7 +15,7 @@ use serde::Serialize;
 use args::{Files, InfoArgs, Merge, Out, RecordAction, Recover, Trim};
 
 use crate::console::{Console, Failure, Outcome, Style};
-pub(crate) use args::{Record, time};
+pub(crate) use args::Record;
 pub use file::{Images, RecordArgs, RecordedFile, TopicsArg};
 
 /// Runs the subcommand.

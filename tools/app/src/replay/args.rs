@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::record::time;
+use crate::values::time;
 
 #[derive(Clone, Debug, Args)]
 pub(crate) struct ReplayArgs {

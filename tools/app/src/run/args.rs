@@ -7,6 +7,7 @@ use log::LevelFilter;
 use crate::link::ServeArgs;
 use crate::params::{Layer, TuningArgs};
 use crate::record::RecordArgs;
+use crate::values::seconds;
 
 /// Arguments of `run`.
 #[derive(Clone, Debug, Args)]
@@ -47,13 +48,4 @@ pub struct RunArgs<L: Layer> {
 fn level() -> impl TypedValueParser<Value = LevelFilter> {
     PossibleValuesParser::new(["off", "error", "warn", "info", "debug", "trace"])
         .try_map(|name| name.parse::<LevelFilter>())
-}
-
-/// Parses a duration of 0.01 to 86400 s.
-///
-/// # Errors
-/// If the text is not such a number.
-pub fn seconds(text: &str) -> Result<f64, String> {
-    let fits = text.parse().ok().filter(|time: &f64| (0.01..=86_400.0).contains(time));
-    fits.ok_or_else(|| "give a time from 0.01 to 86400 seconds".to_owned())
 }

@@ -21,7 +21,7 @@ use crate::log::Lines;
 use crate::params::{self, Layer};
 use crate::record::RecordedFile;
 use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
-pub use args::{RunArgs, seconds};
+pub use args::RunArgs;
 use report::{End, Report};
 pub(crate) use running::{Running, observers, workers};
 use story::Story;
