@@ -6,6 +6,7 @@ mod attributes;
 pub mod block;
 mod carried;
 pub mod check;
+mod completion;
 mod driving;
 mod found;
 mod guard;

@@ -9,7 +9,7 @@ use super::arguments::{self, Form};
 use super::attributes::StateWords;
 use super::block::{self, Block, Item};
 use super::model::{Component, Function, Hook, State, Transition};
-use super::{attributes, found, operator, options, roles, signature, work};
+use super::{attributes, completion, found, operator, options, roles, signature, work};
 use crate::report::Report;
 use crate::types::{lifetimes, plain};
 use crate::{text, wording};
@@ -346,7 +346,7 @@ fn called(component: &Component, function: &mut block::Function, form: Form, rep
     for argument in &arguments {
         arguments::concrete(argument, &component.block.header.generics, report);
     }
-    arguments::complete_rates(&mut function.signature);
+    completion::complete_rates(&mut function.signature);
     for condition in function.attributes.extract_if(.., |one| attributes::is_condition(one)) {
         report.add(condition, wording::CONDITIONAL);
     }
