@@ -50,7 +50,7 @@ macro_rules! numbered {
     ($(#[$doc:meta])* $name:ident, $field:literal: $first:ident $(#[$first_doc:meta])*, $($(#[$variant_doc:meta])* $variant:ident),+) => {
         $(#[$doc])*
         #[data]
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ParamEnum)]
         pub enum $name {
             $(#[$first_doc])*
             #[default]

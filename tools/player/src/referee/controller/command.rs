@@ -52,7 +52,7 @@ pub(in crate::referee) fn penalty_name(penalty: Penalty) -> &'static str {
 }
 
 /// Names of the set plays.
-pub(super) const SET_PLAYS: [(&str, SetPlay); 7] = [
+const SET_PLAYS: [(&str, SetPlay); 7] = [
     ("none", SetPlay::None),
     ("direct-free-kick", SetPlay::DirectFreeKick),
     ("indirect-free-kick", SetPlay::IndirectFreeKick),

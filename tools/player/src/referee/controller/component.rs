@@ -5,7 +5,7 @@ use std::mem;
 use bica::prelude::*;
 use bica_player::referee::packet::{Control, PlayState, SetPlay, Team};
 
-use super::command::{Command, PENALTIES, SET_PLAYS};
+use super::command::{Command, PENALTIES};
 use super::game::Game;
 use super::players::Players;
 
@@ -23,7 +23,7 @@ pub(super) enum Side {
     Second,
 }
 
-/// Penalty of a command, in the order of its names in a line of text.
+/// Penalty of a command, in the order of [`PENALTIES`]: [`Penalty`](bica_player::referee::packet::Penalty) has unknown numbers, too.
 #[derive(Clone, Copy, Debug, ParamEnum, PartialEq, Eq)]
 pub(super) enum Foul {
     /// The player may play again.
@@ -54,25 +54,6 @@ pub(super) enum Foul {
     SentOff,
     /// It is not on the field.
     Substitute,
-}
-
-/// Set play of a command, in the order of its names in a line of text.
-#[derive(Clone, Copy, Debug, ParamEnum, PartialEq, Eq)]
-pub(super) enum Restart {
-    /// Ends a set play.
-    None,
-    /// Direct free kick.
-    DirectFreeKick,
-    /// Indirect free kick.
-    IndirectFreeKick,
-    /// Penalty kick.
-    PenaltyKick,
-    /// Throw-in.
-    ThrowIn,
-    /// Goal kick.
-    GoalKick,
-    /// Corner kick.
-    CornerKick,
 }
 
 /// A game, and the players that answer.
@@ -180,8 +161,7 @@ impl Referee {
 
     /// Stops the game for a set play, until it is resumed.
     #[modulation]
-    fn set_play(&mut self, set_play: Restart, team: Side) {
-        let (_, set_play) = SET_PLAYS[set_play.index() as usize];
+    fn set_play(&mut self, set_play: SetPlay, team: Side) {
         self.execute(Command::SetPlay(set_play, self.side(team)));
     }
 
@@ -290,5 +270,16 @@ impl Robot for Match {
 
     fn act(&mut self) -> Option<Control> {
         self.get::<Referee>().packet
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fouls_have_the_order_of_the_penalties() {
+        let fouls: Vec<_> = Foul::VARIANTS.iter().map(|foul| foul.name.to_owned()).collect();
+        assert_eq!(fouls, PENALTIES.map(|(_, penalty)| format!("{penalty:?}")));
     }
 }
