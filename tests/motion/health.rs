@@ -62,6 +62,49 @@ fn a_stuck_leg_joint_is_a_fault_within_two_seconds() {
     assert_eq!(found(2000, &arms, |_| ()), None, "arms are compliant");
 }
 
+/// Fault of a robot of whose joint the target and the angle differ from the stand by functions of time, s; and its time. It lies for a
+/// second from a time on, s.
+fn swung(joint: Joint, lies: f32, target: impl Fn(f32) -> f32, angle: impl Fn(f32) -> f32) -> Option<(Fault, f32)> {
+    let (mut health, stiffness) = (Health::new(NAO), Stiffness::Walk.joints(NAO));
+    (0..1000_u16).find_map(|cycle| {
+        let (mut sensors, mut targets, t) = (standing(cycle.into()), NAO.stand, 0.01 * f32::from(cycle));
+        targets[joint] += target(t);
+        sensors.angles[joint] += angle(t);
+        sensors.inertial.pitch = if (lies..lies + 1.0).contains(&t) { 1.5 } else { 0.0 };
+        health.step(&sensors, &targets, &stiffness);
+        health.fault().map(|fault| (fault, t))
+    })
+}
+
+#[test]
+fn a_joint_at_rest_while_its_target_swings_is_stuck() {
+    let swing = |amplitude: f32, delay: f32| move |t: f32| amplitude * (12.0 * (t - delay)).sin();
+    for joint in [Joint::LKneePitch, Joint::RHipRoll, Joint::HeadYaw] {
+        let named = |lies, angle: &dyn Fn(f32) -> f32| match swung(joint, lies, swing(0.05, 0.0), angle) {
+            Some((fault, t)) if fault == Fault::Stuck(joint) => t,
+            other => panic!("{joint:?}: {other:?}"),
+        };
+        let t = named(10.0, &swing(0.003, 0.04));
+        assert!((0.9..1.3).contains(&t), "{t} s");
+        let (lay, moved) = (named(0.8, &|_| 0.0), named(0.8, &|t| if (1.2..1.5).contains(&t) { 0.03 } else { 0.0 }));
+        assert!(lay < 2.2 && moved > 2.5, "a fall delays it by {lay} s, one in which the joint moves by {moved} s");
+        assert_eq!(swung(joint, 10.0, swing(0.2, 0.0), swing(0.1, 0.1)), None, "it follows, late and by half");
+        assert_eq!(swung(joint, 10.0, swing(0.015, 0.0), |_| 0.0), None, "it hardly has to move");
+    }
+    let once = |t: f32| (0.5 * t).min(0.6);
+    assert_eq!(swung(Joint::LKneePitch, 10.0, once, |_| 0.0), None, "the ground may block one motion");
+}
+
+#[test]
+fn a_head_at_rest_beside_its_target_is_stuck() {
+    let at = |target: f32, speed: f32| swung(Joint::HeadYaw, 10.0, move |t| target + speed * t, move |t| speed * t);
+    let (fault, t) = at(0.1, 0.0).expect("a fault is reported");
+    assert!(fault == Fault::Stuck(Joint::HeadYaw) && (0.9..1.1).contains(&t), "{fault} {t}");
+    assert_eq!(at(0.05, 0.0), None, "its weight");
+    assert_eq!(at(0.16, 4.0), None, "the lag of the fastest motion");
+    assert_eq!(swung(Joint::LKneePitch, 10.0, |_| 0.3, |_| 0.0), None, "a leg carries the body");
+}
+
 #[test]
 fn frozen_inertial_reading_is_a_fault() {
     let (fault, cycle) =
@@ -280,9 +323,9 @@ fn missing_images_are_a_fault_until_one_comes() {
 
 #[test]
 fn gyroscope_offset_at_rest_is_a_fault() {
-    let fault = |offset: Vec3, moving: bool| {
+    let fault_after = |cycles: u32, offset: Vec3, moving: bool| {
         let mut senses = Senses::new();
-        for cycle in 0..400 {
+        for cycle in 0..cycles {
             let mut sensors = standing(cycle);
             sensors.inertial.gyro += offset;
             let mut targets = NAO.stand;
@@ -292,6 +335,8 @@ fn gyroscope_offset_at_rest_is_a_fault() {
         }
         senses.fault()
     };
+    let fault = |offset, moving| fault_after(400, offset, moving);
+    assert_eq!(fault_after(90, 0.1 * Vec3::Z, false), Some(Fault::GyroOffset), "in a short stand");
     for axis in [Vec3::X, -Vec3::Y, Vec3::Z] {
         assert_eq!(fault(0.2 * axis, false), Some(Fault::GyroOffset), "{axis}");
         assert_eq!(fault(0.2 * axis, true), None, "it walks");
@@ -314,9 +359,10 @@ fn an_offset_is_found_in_a_walk_within_5_s() {
         });
         cycle.map(|cycle| 0.01 * f32::from(cycle))
     };
-    for offset in [0.2, -0.2] {
-        for (legs, slip) in [(0.0, 0.0), (0.15, 0.1), (-0.15, 0.1)] {
-            assert!(seconds(legs, slip, offset).is_some_and(|seconds| seconds < 5.0), "{legs} rad/s {offset}");
+    for (legs, slip, offset) in [(0.0, 0.0, 0.1), (0.3, 0.0, -0.1), (0.15, 0.1, 0.2), (-0.15, 0.1, 0.2)] {
+        for side in [1.0, -1.0] {
+            let seconds = seconds(side * legs, slip, side * offset);
+            assert!(seconds.is_some_and(|seconds| seconds < 5.0), "{legs} rad/s {offset}: {seconds:?} s");
         }
     }
     for (legs, slip) in [(0.0, 0.0), (0.8, 0.1), (-0.8, 0.45), (0.4, 0.6)] {
@@ -324,12 +370,25 @@ fn an_offset_is_found_in_a_walk_within_5_s() {
     }
 }
 
+/// Whether a gyroscope has an offset by its turn rate, rad/s, and the pitch, rad, in each cycle of a walk straight ahead.
+fn drifts(rate: impl Fn(u16) -> f32, pitch: impl Fn(u16) -> f32) -> bool {
+    let mut senses = Senses::new();
+    (0..1000).any(|cycle| {
+        let inertial = Inertial { gyro: rate(cycle) * Vec3::Z, pitch: pitch(cycle), ..standing(0).inertial };
+        senses.turn(&inertial, Some(0.0), 0.01);
+        senses.see(Glimpse { digest: cycle.into(), brightness: 100 });
+        senses.fault() == Some(Fault::GyroOffset)
+    })
+}
+
 #[test]
 fn windows_before_a_fall_do_not_count() {
-    let mut senses = Senses::new();
-    for cycle in 0_u16..1000 {
-        let pitch = if cycle % 290 == 0 { 1.0 } else { 0.0 };
-        senses.turn(&Inertial { gyro: 0.2 * Vec3::Z, pitch, ..standing(0).inertial }, Some(0.0), 0.01);
-    }
-    assert_ne!(senses.fault(), Some(Fault::GyroOffset));
+    let falls = |every| move |cycle: u16| if cycle.is_multiple_of(every) { 1.0 } else { 0.0 };
+    assert!(drifts(|_| 0.1, falls(250)) && !drifts(|_| 0.1, falls(140)));
+}
+
+#[test]
+fn the_recoil_of_a_kick_is_no_offset() {
+    let kicks = |cycle: u16| if cycle % 300 < 30 { 1.0 } else { 0.0 };
+    assert!(!drifts(kicks, |_| 0.0));
 }

@@ -3,14 +3,16 @@
 //! A fault says nothing about the balance: see [`FallState`](crate::fall::FallState).
 
 mod fault;
+mod following;
 mod motor_load;
 mod senses;
 
 pub use fault::Fault;
 pub use senses::{Glimpse, Senses};
 
+use self::following::Following;
 use self::motor_load::MotorLoad;
-use crate::joints::{JOINTS, Joint, Joints};
+use crate::joints::{Joint, Joints};
 use crate::kinematics::{centre_of_mass, sole};
 use crate::model::RobotModel;
 use crate::robot::{Inertial, Sensors};
@@ -20,12 +22,6 @@ use crate::side::Side;
 pub const FOLLOWING_STIFFNESS: f32 = 0.6;
 /// Maximum roll and pitch of the torso at which feet and joints behave as in stand and walk, rad. Beyond, the robot falls or lies.
 pub const UPRIGHT_TILT: f32 = 0.4;
-/// Minimum deviation of a stuck leg joint from its target, rad: nearly three times the lag in the fastest kick.
-const STUCK_DEVIATION: f32 = 0.65;
-/// Minimum deviation of a stuck head joint, rad: its target moves slowly, and nothing loads it.
-const STUCK_HEAD_DEVIATION: f32 = 0.3;
-/// Number of cycles of 10 ms after which a deviating joint is stuck.
-const STUCK_CYCLES: u8 = 100;
 /// Number of identical readings after which the inertial unit is broken: noise alone changes the last digits.
 const INERTIAL_CYCLES: u16 = 100;
 /// Number of cycles of 10 ms after which a foot without force is broken if the commanded posture loads it.
@@ -37,6 +33,8 @@ const POSTURE_CYCLES: u16 = 300;
 const MAX_LIFT: f32 = 0.001;
 /// Minimum share of the weight on a foot that must measure force.
 const MIN_SHARE: f32 = 0.1;
+/// Number of joints that [`follow`](follows) their targets.
+const FOLLOWERS: usize = 13;
 
 /// Whether feet and joints behave as in stand and walk, by the torso's angles (see [`UPRIGHT_TILT`]).
 #[must_use]
@@ -54,8 +52,8 @@ pub struct Health {
     inertial: Inertial,
     same: u16,
     silent: [u16; 2],
-    /// Number of cycles for which each joint has deviated.
-    stuck: [u8; JOINTS],
+    /// In the order of the model's joints.
+    joints: [Following; FOLLOWERS],
     motor_load: MotorLoad,
     model: &'static RobotModel,
 }
@@ -71,7 +69,7 @@ impl Health {
             inertial: STILL,
             same: 0,
             silent: [0; 2],
-            stuck: [0; JOINTS],
+            joints: [Following::at(0.0); FOLLOWERS],
             motor_load: MotorLoad::new(),
             model,
         }
@@ -96,12 +94,11 @@ impl Health {
     pub fn step(&mut self, sensors: &Sensors<'_>, targets: &Joints, stiffness: &Joints) {
         let inertial = self.check_inertial(&sensors.inertial);
         let upright = is_upright(&sensors.inertial);
+        let joint = self.check_joints(sensors, targets, stiffness, upright);
         let found = if upright {
-            inertial
-                .or_else(|| self.check_feet(sensors, targets))
-                .or_else(|| self.check_joints(sensors, targets, stiffness))
+            inertial.or_else(|| self.check_feet(sensors, targets)).or(joint)
         } else {
-            (self.silent, self.stuck) = ([0; 2], [0; JOINTS]);
+            self.silent = [0; 2];
             inertial
         };
         self.motor_load.step(self.model, sensors, upright);
@@ -131,19 +128,25 @@ impl Health {
         })
     }
 
-    fn check_joints(&mut self, sensors: &Sensors<'_>, targets: &Joints, stiffness: &Joints) -> Option<Fault> {
-        let deviates = |joint: Joint| {
-            let most = if joint.index() < 2 { STUCK_HEAD_DEVIATION } else { STUCK_DEVIATION };
-            let deviation = (targets[joint] - sensors.angles[joint]).abs();
-            // A measurement that is no number deviates, too.
-            deviation > most || deviation.is_nan()
-        };
+    fn check_joints(
+        &mut self,
+        sensors: &Sensors<'_>,
+        targets: &Joints,
+        stiffness: &Joints,
+        upright: bool,
+    ) -> Option<Fault> {
         let watched = self.model.joints.iter().copied().filter(|&joint| follows(joint));
-        watched.fold(None, |found, joint| {
-            let count = &mut self.stuck[joint.index()];
-            let is_stuck = stiffness[joint] >= FOLLOWING_STIFFNESS && deviates(joint);
-            *count = if is_stuck { count.saturating_add(1) } else { 0 };
-            found.or((*count >= STUCK_CYCLES).then_some(Fault::Stuck(joint)))
+        watched.zip(&mut self.joints).fold(None, |found, (joint, following)| {
+            let (target, angle) = (targets[joint], sensors.angles[joint]);
+            if !upright {
+                following.pause(angle);
+                return found;
+            }
+            if stiffness[joint] < FOLLOWING_STIFFNESS {
+                *following = Following::at(angle);
+            }
+            let is_stuck = following.is_stuck(target, angle, is_head(joint));
+            found.or(is_stuck.then_some(Fault::Stuck(joint)))
         })
     }
 }
@@ -158,5 +161,9 @@ fn is_loaded(model: &'static RobotModel, side: Side, posture: &Joints) -> bool {
 
 /// Whether a joint must follow its target: legs and head. The arms are compliant and may rest on something.
 const fn follows(joint: Joint) -> bool {
-    matches!(joint.index(), 0 | 1 | 7..=17)
+    is_head(joint) || matches!(joint.index(), 7..=17)
+}
+
+const fn is_head(joint: Joint) -> bool {
+    joint.index() < 2
 }

@@ -10,7 +10,7 @@ use bica_sim::setup::Frame;
 const GAMES: u64 = 10;
 
 /// Options of the world, one for each fault.
-const FAULTS: [&str; 10] = [
+const FAULTS: [&str; 14] = [
     "",
     "image=freeze",
     "image=dark",
@@ -18,7 +18,11 @@ const FAULTS: [&str; 10] = [
     "image=noise",
     "image=drop",
     "gyro=0.2",
+    "gyro=0.1",
+    "gyro=-0.1",
     "stuck=HeadYaw",
+    "stuck=HeadPitch",
+    "stuck=LKneePitch",
     "hot=LKneePitch",
     "button=8",
 ];
@@ -70,9 +74,9 @@ fn main() -> Result<(), Failure> {
         states.sort_unstable();
         states.dedup();
         let first = games.iter().filter_map(|(game, _)| game.faults.first());
-        let latest = first.max_by(|a, b| a.t.total_cmp(&b.t));
+        let (named, latest) = (first.clone().count(), first.max_by(|a, b| a.t.total_cmp(&b.t)));
         let says = latest.map_or_else(String::new, |fault| {
-            format!("{}, {:.1} s", fault.fault.as_deref().unwrap_or_default(), fault.t - 8.0)
+            format!("{}, {:.1} s, in {named} games", fault.fault.as_deref().unwrap_or_default(), fault.t - 8.0)
         });
         let option = if option.is_empty() { "none".to_owned() } else { format!("`{option}`") };
         println!("| {option} | {goals} | {} | {says} |", states.join(", "));

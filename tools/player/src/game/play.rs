@@ -241,11 +241,13 @@ impl Game {
         self.report_fault(observer)
     }
 
-    /// Fault of the world or the robot; `None` without one.
+    /// Fault of the world, or those of body and senses; `None` without one.
     fn fault(&self) -> Option<String> {
         let health = self.runner.robot().get::<HealthMonitor>();
-        let of_robot = || health.fault().or_else(|| health.sense_fault()).map(|fault| fault.to_string());
-        self.runner.world().failure().map(ToOwned::to_owned).or_else(of_robot)
+        let of_robot = [health.fault(), health.sense_fault()].into_iter().flatten().map(|fault| fault.to_string());
+        let of_robot: Vec<_> = of_robot.collect();
+        let of_world = self.runner.world().failure().map(ToOwned::to_owned);
+        of_world.or_else(|| (!of_robot.is_empty()).then(|| of_robot.join("; ")))
     }
 
     fn report_fault(&mut self, observer: &mut (impl GameObserver + ?Sized)) -> Result<(), Failure> {

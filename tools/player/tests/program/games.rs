@@ -30,22 +30,42 @@ fn options_set_up_the_start_and_faults_that_are_told() {
     assert!(ball(&printed).is_some_and(|ball| (ball["distance"].as_f64().unwrap() - 1.1).abs() < 0.2), "{printed}");
 }
 
+/// Faults of senses and joints, as options of the world, and what the robot says.
+const FAULTS: [(&str, &str); 10] = [
+    ("image=freeze", "the camera repeats the same image"),
+    ("image=dark", "the camera's images are black"),
+    ("image=bright", "the camera's images are white"),
+    ("image=drop", "the camera sends no images"),
+    ("gyro=0.2", "the gyroscope measures a turn that the robot does not make"),
+    ("gyro=0.1", "the gyroscope measures a turn that the robot does not make"),
+    ("stuck=HeadYaw", "HeadYaw does not follow its target"),
+    ("stuck=HeadPitch", "HeadPitch does not follow its target"),
+    ("stuck=LKneePitch", "LKneePitch does not follow its target"),
+    ("hot=LKneePitch", "LKneePitch is too hot"),
+];
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_each_fault_is_named_within_5_s() {
+    for (option, fault) in FAULTS {
+        let faulty = ["--option", option, "--option", "from=8", "--games", "10", "--seconds", "13"];
+        let series = run(&[&faulty[..], &["--size", "160x120", "--json"]].concat()).json();
+        let games = series["games"].as_array().expect("games");
+        let whole = games.iter().filter(|game| game["simulated_s"].as_f64().is_some_and(|seconds| seconds >= 13.0));
+        assert!(whole.clone().count() >= 9, "{option}");
+        for game in whole {
+            assert_eq!(game["faults"][0]["fault"], fault, "{option}, seed {}", game["seed"]);
+        }
+    }
+}
+
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_each_fault_has_its_line_entry_and_message() {
     let folder = Folder::new("faults");
-    // The fault of the gyroscope is detected while the robot walks, within 6 s.
-    for (option, fault) in [
-        ("image=freeze", "the camera repeats the same image"),
-        ("image=dark", "the camera's images are black"),
-        ("image=bright", "the camera's images are white"),
-        ("image=drop", "the camera sends no images"),
-        ("gyro=0.2", "the gyroscope measures a turn that the robot does not make"),
-        ("stuck=HeadYaw", "HeadYaw does not follow its target"),
-        ("hot=LKneePitch", "LKneePitch is too hot"),
-    ] {
+    for (option, fault) in FAULTS {
         let file = folder.file("fault.mcap");
-        let faulty = ["--option", option, "--option", "from=1", "--option", "until=9", "--seconds", "11"];
+        let faulty = ["--option", option, "--option", "from=8", "--option", "until=13", "--seconds", "15"];
         let kept = ["--size", "160x120", "--json", "--record", &file, "--force", "--images", "none"];
         let ran = run(&[faulty, kept].concat());
         assert!(ran.stderr.contains(&format!("* fault: {fault}")), "{option}: {}", ran.stderr);
