@@ -60,7 +60,7 @@ export function Designer({ visible, retitle }) {
   const { Legend } = USES[mode.value];
   return html`<${Tools} search=${search} />
     ${opened.value?.conflict ? html`<${Conflict} />` : drawn ? ready && html`<${Canvas} machine=${ready} isStale=${isHidden} search=${search} visible=${visible} />${Legend && html`<${Legend} />`}`
-      : html`<${Empty} what=${opened.value ? `${opened.value.file} has no component` : 'No component is open'} help=${opened.value ? 'Its mistakes are listed below; the text is in the code panel.' : list.value?.length === 0 ? 'There is none below the folder of --source. Press “New…” for the first one.' : 'Choose one in Sources, or press “New…”.'} />`}
+      : html`<${Empty} what=${opened.value ? `${opened.value.file} has no component` : 'No component is open'} help=${opened.value ? opened.value.model.trees ? 'Its trees are in the inspector; the text is in the code panel.' : 'Its mistakes are listed below; the text is in the code panel.' : list.value?.length === 0 ? 'There is none below the folder of --source. Press “New…” for the first one.' : 'Choose one in Sources, or press “New…”.'} />`}
     <${Footer} />`;
 }
 

@@ -61,7 +61,7 @@ export function DiffSide() {
   const change = own();
   const rest = now.comparison.components.filter((one) => one !== change);
   return html`<h3>${now.new ? 'The last commit does not have this file' : html`Since commit <code>${now.revision}</code>`}</h3>
-    ${change ? html`<ul class="changes" aria-label="Changes">${change.parts.map((one) => html`<${Part} one=${one} />`)}</ul>` : html`<p class="dim">${component.value} has no difference.</p>`}
+    ${change ? html`<ul class="changes" aria-label="Changes">${change.parts.map((one) => html`<${Part} one=${one} />`)}</ul>` : html`<p class="dim">${component.value ?? 'The file'} has no difference.</p>`}
     ${rest.length > 0 && html`<h3>Also different</h3><ul>${rest.map(({ key }) => html`<li><button class="name" onClick=${() => { component.value = key; }}>${key}</button></li>`)}</ul>`}
     ${now.comparison.parameters.length > 0 && html`<h3>Parameters</h3><ul class="changes">${now.comparison.parameters.map((one) => html`<${Part} one=${one} />`)}</ul>`}`;
 }

@@ -1,9 +1,7 @@
 //! Edits of activation trees: names of components, and providers of roles.
 
-use bica_syntax::report::Report;
 use bica_syntax::text::written;
 use bica_syntax::tree::model::{Draft, Entry, RoleEntry};
-use bica_syntax::tree::parse as tree_parse;
 
 use super::context::{Context, list};
 use super::fragment;
@@ -11,7 +9,7 @@ use super::layout::entry_removal;
 use super::request::Refusal;
 use super::splice::Splice;
 use crate::model::Span;
-use crate::read::{Outline, Source, lexed, parse};
+use crate::read::{Outline, Source, drafts, lexed, parse};
 
 /// Renames a component that has a name of its own in a tree; without `to` it is removed from the list.
 pub(super) fn member(context: &Context<'_>, tree: &str, name: &str, to: Option<&str>) -> Result<Vec<Splice>, Refusal> {
@@ -92,11 +90,7 @@ fn in_tree<T>(
     edit: impl FnOnce(&Source<'_>, &Draft) -> Result<T, Refusal>,
 ) -> Result<T, Refusal> {
     let source = parse(context.text).ok_or_else(|| Refusal::new("this file is nested too deeply"))?;
-    let outline = Outline::of(&source);
-    let is_tree = |path: &syn::Path| path.segments.last().is_some_and(|last| last.ident == "activation_tree");
-    let calls = outline.macros.iter().filter(|call| is_tree(&call.path));
-    let drafts: Vec<Draft> =
-        calls.filter_map(|call| tree_parse::parse(call.tokens.clone(), &mut Report::default())).collect();
+    let drafts = drafts(&Outline::of(&source));
     let Some(draft) = drafts.iter().find(|draft| draft.name == name) else {
         let known: Vec<String> = drafts.iter().map(|draft| draft.name.to_string()).collect();
         let known = list(known.iter().map(String::as_str));

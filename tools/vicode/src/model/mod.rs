@@ -9,6 +9,7 @@ mod params;
 mod resolved;
 mod span;
 mod table;
+mod tree;
 
 use bica_syntax::code::Code;
 use serde::Serialize;
@@ -22,6 +23,7 @@ pub use self::resolved::Link;
 pub(crate) use self::resolved::links;
 pub use self::span::{Name, Span};
 pub use self::table::{Cell, Row, Table};
+pub use self::tree::{Member, Provided, Tree};
 
 /// A file.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -33,6 +35,9 @@ pub struct Model {
     /// Constants that are tables of numbers, in the order of the text.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tables: Vec<Table>,
+    /// Trees that an `activation_tree!` outside of other macros declares, in the order of the text.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub trees: Vec<Tree>,
     /// Mistakes, in the order of the text.
     pub problems: Vec<Problem>,
 }

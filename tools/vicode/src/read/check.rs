@@ -11,6 +11,7 @@ use syn::{Item, Macro};
 
 use super::component::input;
 use super::params::derives;
+use super::trees::is_tree;
 use super::{Node, Outline};
 use crate::model::{Component, Problem, Reporter, Span};
 
@@ -69,8 +70,7 @@ fn of_item(item: &Item) -> Option<Report> {
 /// Runs the rules of `activation_tree!`.
 fn of_tree(call: &Macro) -> Option<Report> {
     let mut report = Report::default();
-    let is_tree = call.path.segments.last()?.ident == "activation_tree";
-    let draft = is_tree.then(|| tree_parse::parse(call.tokens.clone(), &mut report))?;
+    let draft = is_tree(call).then(|| tree_parse::parse(call.tokens.clone(), &mut report))?;
     draft.and_then(|draft| tree_check::check(&draft, &mut report));
     Some(report)
 }

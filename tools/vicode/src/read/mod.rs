@@ -21,7 +21,7 @@ use self::component::settings;
 pub(crate) use self::lexed::{Kind, Token, is_keyword, lexed};
 pub(crate) use self::outline::{Node, Outline};
 pub(crate) use self::source::{Source, parse};
-pub(crate) use self::trees::within;
+pub(crate) use self::trees::{drafts, within};
 pub use self::trees::{TreeSource, trees};
 use crate::model::{Component, Model, Name, Problem, Span};
 
@@ -46,6 +46,7 @@ pub fn read(text: &str) -> Model {
     }
     keyed(&mut model.components);
     model.tables = tables::tables(&source);
+    model.trees = drafts(&outline).iter().map(trees::model).collect();
     model.problems.clone_from(&source.problems);
     check::check(&outline, &model.components, &mut model.problems);
     model.problems.sort();

@@ -1,8 +1,15 @@
 //! Activation trees of a text.
 
 use bica_syntax::number::hertz;
+use bica_syntax::report::Report;
+use bica_syntax::text::written;
+use bica_syntax::tree::model::{Draft, RoleEntry};
+use bica_syntax::tree::parse;
+use syn::Macro;
+use syn::ext::IdentExt;
 
-use super::{Kind, Token, lexed};
+use super::{Kind, Outline, Token, lexed};
+use crate::model::{Member, Provided, Tree};
 
 /// A tree as its `activation_tree!` declares it, also within another macro.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +46,31 @@ fn tree(code: &[Token<'_>]) -> Option<TreeSource> {
     };
     let cycle_hz = hz.map_or(100.0, f64::from);
     Some(TreeSource { name, cycle_hz, components: names("components"), roles: names("roles") })
+}
+
+/// Whether a macro declares a tree.
+pub(super) fn is_tree(call: &Macro) -> bool {
+    call.path.segments.last().is_some_and(|last| last.ident == "activation_tree")
+}
+
+/// Returns the trees of a file outside of other macros, as far as their macro reads them.
+pub(crate) fn drafts(outline: &Outline<'_>) -> Vec<Draft> {
+    let calls = outline.macros.iter().filter(|call| is_tree(call));
+    calls.filter_map(|call| parse::parse(call.tokens.clone(), &mut Report::default())).collect()
+}
+
+/// Describes a tree.
+pub(super) fn model(draft: &Draft) -> Tree {
+    let members = draft.components.iter().flatten().map(|entry| Member {
+        name: entry.name.as_ref().map(|name| name.unraw().to_string()),
+        ty: written(&entry.kind),
+    });
+    let provided = |entry: &RoleEntry| Provided { role: written(&entry.role), provider: written(&entry.provider) };
+    Tree {
+        name: draft.name.to_string(),
+        members: members.collect(),
+        roles: draft.roles.iter().map(provided).collect(),
+    }
 }
 
 /// Returns the tokens before the closing bracket.

@@ -107,6 +107,23 @@ fn changed(text: &str, edit: serde_json::Value) -> Result<String, String> {
 }
 
 #[test]
+fn a_tree_has_its_members_and_providers() {
+    for gap in GAPS {
+        let trees = read(&odd("Ball", "left", "Eye", gap)).trees;
+        let member = |name: Option<&str>, ty: &str| json!({"name": name, "ty": ty});
+        let members = [
+            member(None, "Follow"),
+            member(None, "Eye"),
+            member(Some("left"), "Leg<0>"),
+            member(Some("right"), "Leg<1>"),
+        ];
+        let roles = [json!({"role": "Ball", "provider": "Eye"})];
+        assert_eq!(json!(trees), json!([{"name": "Robot", "members": members, "roles": roles}]));
+    }
+    assert_eq!(read("in_macro! { activation_tree! { struct Robot { components: [Eye] } } }").trees, []);
+}
+
+#[test]
 fn renames_in_trees_keep_all_other_bytes() {
     for gap in GAPS {
         let text = odd("Ball", "left", "Eye", gap);

@@ -6,6 +6,7 @@ import { freeName } from '../machine.js';
 import { renameUsed } from '../rename.js';
 import { change, edit, model } from '../sources.js';
 import { Docs, Name, addHook } from './fields.js';
+import { Trees } from './trees.js';
 
 const OPTIONS = [['hz', 'rate', 'Hz'], ['budget_us', 'budget', 'µs'], ['writers', 'of several writers', 'first or last']];
 
@@ -27,7 +28,7 @@ export function ComponentFields({ machine }) {
       <div class="buttons">${['start', 'stop'].filter((role) => !hooks.some((hook) => hook.role === role)).map((role) => html`<button class="small" onClick=${() => addHook(role, [], free)}>Add a ${role} hook</button>`)}</div></section>
     ${[['info', 'Outputs'], ['modulations', 'Modulations'], ['work', 'Beside the loop']].map(([key, title]) => component[key].length > 0 && html`<section aria-label=${title}><h3>${title}</h3>
       ${component[key].map(({ function: { name: own, docs } }) => html`<div class="child" key=${own.text} title=${docs.text}><${Field} value=${own.text} label=${`Name of ${own.text}`} spellcheck="false" onCommit=${(to) => to.trim() && renameUsed(own.text, to.trim())} /></div>`)}</section>`)}
-    <${Parameters} />`;
+    <${Parameters} /><${Trees} />`;
 }
 
 /** Defaults of the parameters of the file. */

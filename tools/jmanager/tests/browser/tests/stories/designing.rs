@@ -26,7 +26,7 @@ pub(crate) fn small_crate(name: &str) -> Folder {
 }
 
 /// Opens the designer.
-async fn open(server: &Server) -> Page {
+pub(crate) async fn open(server: &Server) -> Page {
     let page = Page::open(server, WIDE).await;
     page.find("button", "View", "").await;
     page.press("6").await;

@@ -29,6 +29,7 @@ mod spans;
 mod stopping;
 mod team;
 mod therapy;
+mod trees;
 mod units;
 mod uses;
 mod watching;
