@@ -9,7 +9,7 @@ export const bytesOf = (text) => ENCODER.encode(text).length;
 export class Offsets {
   constructor(text) {
     this.text = text;
-    this.plain = !/[^\x00-\x7f]/.test(text);
+    this.plain = !/\P{ASCII}/u.test(text);
     if (this.plain) return;
     this.bytes = new Uint32Array(text.length + 1);
     let at = 0;

@@ -286,8 +286,12 @@ const watchers = [];
 /** Registers a receiver of changes of the text: ({message, before, text}). */
 export const onChange = (watcher) => watchers.push(watcher);
 
+/** Parts of a message that are no part of the open file. */
+const OF_MESSAGE = ['type', 'from_version', 'splices', 'by', 'page'];
+const stateIn = (message) => Object.fromEntries(Object.entries(message).filter(([key]) => !OF_MESSAGE.includes(key)));
+
 function show(message) {
-  const { type, ...state } = message;
+  const state = stateIn(message);
   batch(() => {
     opened.value = state;
     if (!machineOf(state.model, component.value)) component.value = state.model.components[0]?.key ?? null;
@@ -306,7 +310,8 @@ function changed(message) {
   const before = opened.value;
   if (before?.file !== message.file) return;
   if (before.version !== message.from_version) return ask('open_file', { file: message.file });
-  const { type, splices, from_version: _, by, page, ...state } = message;
+  const { splices, by, page } = message;
+  const state = stateIn(message);
   const text = spliced(before.text, splices);
   const mine = page === hello.value?.page;
   batch(() => {

@@ -22,7 +22,8 @@ function keep(next, key, { of, place, flags: all }, make) {
   return one.drawn;
 }
 
-const facts = ({ function: _, ...one }) => one;
+/** What a drawing depends on; JSON leaves out what is undefined. */
+const facts = (one) => ({ ...one, function: undefined });
 
 /** All arrows, their names, then all states: what is later lies above. */
 export function Drawn({ machine, chosen, found, stops }) {
