@@ -3,7 +3,7 @@
 use std::vec::IntoIter;
 
 use bica::End;
-use bica::graph::{Graph, Transition};
+use bica::graph::{Graph, LinkKind, Transition};
 
 use super::event::{Event, Read, Times};
 use super::jobs::Job;
@@ -186,8 +186,7 @@ impl Model {
             {
                 self.read(&reads)?;
                 self.components[index].value = mix(self.components[index].value, HOOK);
-                self.write(index, &writes);
-                Ok(())
+                self.write(index, &writes)
             }
             other => Err(format!("{other:?} instead of hook {name} with {taken:?}")),
         }
@@ -207,8 +206,7 @@ impl Model {
                     self.read(&reads)?;
                     let memory = &mut self.components[index];
                     memory.value = mix(memory.value, std::mem::take(&mut memory.received) + 1);
-                    self.write(index, &writes);
-                    return Ok(());
+                    return self.write(index, &writes);
                 }
                 other => return Err(format!("{other:?} instead of the body of {} in {current:?}", node.name)),
             }
@@ -240,12 +238,19 @@ impl Model {
         wrong.map_or(Ok(()), |read| Err(format!("{read:?} is read instead of the value of the last run")))
     }
 
-    fn write(&mut self, index: usize, writes: &[&'static str]) {
-        let value = self.components[index].value;
+    /// Writes values, for which the state needs modulations.
+    fn write(&mut self, index: usize, writes: &[&'static str]) -> Comparison {
+        let (value, state, links) =
+            (self.components[index].value, self.memories[index].state, self.graph.nodes[index].links);
         for name in writes {
             let to = self.named(name);
+            let mut own = links.iter().filter(|link| link.to == to && (link.state.is_none() || link.state == state));
+            if own.all(|link| link.kind != LinkKind::Modulation) {
+                return Err(format!("{name} is written without a modulation"));
+            }
             self.components[to].received = mix(self.components[to].received, value);
         }
+        Ok(())
     }
 
     pub(crate) fn named(&self, name: &str) -> usize {

@@ -101,7 +101,7 @@ pub(super) fn write(draft: &mut Draft, random: &mut Random) -> (String, Vec<&'st
         )
     };
     let work = if draft.has_work { work } else { String::new() };
-    if random.chance(40) {
+    if random.chance(30) {
         let mut body = Body::random(draft, random);
         for &child in &draft.children {
             body.function.add(child, false, random);

@@ -21,7 +21,7 @@ pub(super) const ENDS: [&str; 3] = ["done", "failed", "last"];
 
 /// Draws the states; each child is linked in one of those that are no ends.
 pub(super) fn states(draft: &Draft, random: &mut Random) -> Vec<State> {
-    let ends: Vec<_> = ENDS.iter().filter(|_| random.chance(40)).collect();
+    let ends: Vec<_> = ENDS.iter().filter(|_| random.chance(50)).collect();
     // A state that nothing leaves for another one is refused.
     let regular = (1 + random.below(3)).max(if ends.is_empty() { 2 } else { 1 });
     let ends = ends.into_iter().map(|end| (format!("end_{end}"), *end));
@@ -82,8 +82,8 @@ fn guard(draft: &mut Draft, body: &Function, random: &mut Random) -> String {
     if !ended.is_empty() && random.chance(60) {
         let (child, end) = random.one_of(&ended);
         write!(guard, ", when = {end}(C{child})").expect("a text");
-        if random.chance(40) {
-            write!(guard, ", times = {}", 1 + random.below(3)).expect("a text");
+        if random.chance(60) {
+            write!(guard, ", times = {}", 1 + random.below(2)).expect("a text");
         }
     }
     guard

@@ -14,7 +14,7 @@ pub(super) fn module(number: u64, seed: u64) -> String {
     for child in 1..count {
         let parent = random.below(child);
         for (index, of) in children.iter_mut().enumerate().take(child) {
-            if index == parent || random.chance(20) {
+            if index == parent || random.chance(30) {
                 of.push(child);
             }
         }
