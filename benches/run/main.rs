@@ -5,6 +5,7 @@
 
 mod budget;
 mod framework;
+mod jobs;
 mod vision;
 
 use std::ffi::OsString;
@@ -14,6 +15,7 @@ const HELP: &str = "\
 cargo bench                      framework, vision and budget
 cargo bench -- framework         costs of visits, runs, state machines, and of more components
 cargo bench -- vision            time of each stage of the vision, also on synthetic frames that are the worst for it
+cargo bench -- jobs              cycles of a loop in real time, with jobs beside it and without; takes a minute
 cargo bench -- budget            time of each component of the forward beside its budget; --help lists its options
 --json prints a line of JSON for each table. The exit code is 1 if a budget is exceeded.
 
@@ -32,6 +34,7 @@ fn main() -> ExitCode {
         ["vision", "export", folder] => vision::export(folder.as_ref()),
         ["vision", "everything"] => vision::everything(),
         ["framework"] | ["framework", "--json"] => framework::run(is_json),
+        ["jobs"] | ["jobs", "--json"] => jobs::run(is_json),
         ["vision"] | ["vision", "--json"] => vision::run(is_json, true),
         ["budget", ref options @ ..] => return budget::run(options),
         [] | ["--json"] => {
