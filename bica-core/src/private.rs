@@ -30,6 +30,7 @@ pub use crate::tree::cycle::{Cycle, Machine, Visit, is_shared, visits_at_rate};
 pub use crate::tree::cycle_state::VisitOutcome;
 pub use crate::tree::deferred::{deferred, is_deferred};
 pub use crate::tree::engine::Engine;
+pub use crate::tree::going::goes;
 pub use crate::tree::plan::{Planned, Plans};
 pub use crate::tree::results::assert_end;
 pub use crate::tree::steady::{is_fixed, visits_first};

@@ -18,21 +18,20 @@ pub(super) const IS_POSSIBLE: bool = cfg!(not(target_os = "none"));
 
 /// Whether `C` is a machine, which can go to a state by request.
 #[must_use]
-const fn goes<T: Has<C>, C: 'static>() -> bool {
+pub const fn goes<T: Has<C>, C: 'static>() -> bool {
     IS_POSSIBLE && !<T::Member as Component>::STATES.is_empty()
 }
 
 impl<T: Layout, P: Probe> Cycle<'_, T, P> {
-    /// Whether the visit of `C` with this outcome, which was not as before, is the run in which it goes to a state. A machine that begins
-    /// in this cycle goes nowhere.
+    /// Whether the visit of the machine `C` with this outcome, which is open and was not as before, is the run in which it goes to a
+    /// state. A machine that begins in this cycle goes nowhere.
     #[inline]
     #[must_use]
     pub fn is_going<C: 'static>(&self, outcome: VisitOutcome) -> bool
     where
         T: Has<C>,
     {
-        let is_possible = const { goes::<T, C>() };
-        is_possible && !outcome.is_closed() && !outcome.is_started() && self.store.cycle_state().is_going(T::INDEX)
+        !outcome.is_started() && self.store.cycle_state().is_going(T::INDEX)
     }
 
     /// Begins the run in which `C` goes to a state; returns the indices of the state that it leaves, and of the one that it enters.

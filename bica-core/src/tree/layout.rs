@@ -125,9 +125,10 @@ pub trait MemberOf<T: Layout, B = <Self as Component>::Block>: Component {
         Self::pass(cycle, Visit { due: is_due, entering: false });
     }
 
-    /// Runs a state machine from this progress on.
+    /// Runs a state machine from this progress on. That of a request is another function: with one call more the compiler would not make
+    /// the loop a part of the visit.
     #[inline]
-    fn proceed<P: Probe>(_: &mut Cycle<'_, T, P>, _: Visit, _: Machine) {}
+    fn proceed<P: Probe, const BY_REQUEST: bool>(_: &mut Cycle<'_, T, P>, _: Visit, _: Machine) {}
 
     /// Runs a state machine that goes to a state by request, without the transitions of the state in which it is.
     #[inline]

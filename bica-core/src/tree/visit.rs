@@ -59,16 +59,21 @@ macro_rules! __visit_functions {
             }
         }
 
-        // Closed visits, of what is held latent, then ask nothing.
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn visit_otherwise<__P: $crate::__private::Probe>(
             cycle: &mut $crate::__private::Cycle<'_, Self, __P>,
         ) -> $crate::__private::VisitOutcome {
             let outcome = cycle.visit_any::<$component>();
-            if cycle.is_going::<$component>(outcome) {
-                $crate::__pass!($component, cycle);
-                return $crate::__private::VisitOutcome::CLOSED;
+            if const { $crate::__private::goes::<Self, $component>() } {
+                // Closed visits, of what is held latent, ask for no request.
+                if outcome.is_closed() {
+                    return $crate::__private::VisitOutcome::CLOSED;
+                }
+                if cycle.is_going::<$component>(outcome) {
+                    $crate::__pass!($component, cycle);
+                    return $crate::__private::VisitOutcome::CLOSED;
+                }
             }
             outcome
         }

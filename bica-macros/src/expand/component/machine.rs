@@ -33,9 +33,9 @@ impl Parts<'_> {
         let p = self.p;
         let steady = self.visits.exist().then(|| self.steady());
         let empty = self.slots.exist().then(|| self.slots.empty());
-        let proceed = self.proceed(empty);
+        let (proceed, by_request) = (self.proceed(empty.clone(), false), self.proceed(empty, true));
         let own = (!self.slots.exist()).then(|| self.proceeding());
-        let go = self.go(&proceed);
+        let go = self.go(&by_request);
         let progress = self.progress();
         let asked = self.asked(self.machine.initial);
         let entered = asked.map(|asked| quote!(if visit.entering { #asked }));
@@ -87,7 +87,7 @@ impl Parts<'_> {
             quote! {
                 trait __Carrying<__T: #p::Layout>: ::core::marker::Sized {
                     type Slots;
-                    fn proceed<__P: #p::Probe>(
+                    fn proceed<__P: #p::Probe, const __BY_REQUEST: ::core::primitive::bool>(
                         cycle: &mut #p::Cycle<'_, __T, __P>, visit: #p::Visit, machine: #p::Machine, slots: Self::Slots,
                     );
                 }
@@ -127,7 +127,7 @@ impl Parts<'_> {
         let slots = self.slots.exist().then(|| quote!(mut slots: Self::Slots,));
         quote! {
             #[inline]
-            fn proceed<__P: #p::Probe>(
+            fn proceed<__P: #p::Probe, const __BY_REQUEST: ::core::primitive::bool>(
                 cycle: &mut #p::Cycle<'_, __T, __P>,
                 visit: #p::Visit,
                 mut machine: #p::Machine,
@@ -143,12 +143,12 @@ impl Parts<'_> {
     }
 
     /// The call of the loop, with slots if there are any.
-    fn proceed(&self, slots: Option<TokenStream>) -> TokenStream {
+    fn proceed(&self, slots: Option<TokenStream>, by_request: bool) -> TokenStream {
         let p = self.p;
         if let Some(slots) = slots {
-            quote!(<Self as __Carrying<__T>>::proceed(cycle, visit, machine, #slots))
+            quote!(<Self as __Carrying<__T>>::proceed::<__P, #by_request>(cycle, visit, machine, #slots))
         } else {
-            quote!(<Self as #p::MemberOf<__T>>::proceed(cycle, visit, machine))
+            quote!(<Self as #p::MemberOf<__T>>::proceed::<__P, #by_request>(cycle, visit, machine))
         }
     }
 
@@ -204,7 +204,7 @@ impl Parts<'_> {
         let asked = self.asked(to);
         let entered = quote!(cycle.transition::<Self>(#from, #to); #after #asked);
         let next = if steady {
-            let proceed = self.proceed(self.slots.exist().then(|| quote!(slots)));
+            let proceed = self.proceed(self.slots.exist().then(|| quote!(slots)), false);
             quote!(let machine = #entered return #proceed;)
         } else {
             quote!(machine = #entered continue;)
