@@ -1,6 +1,8 @@
-//! Robot whose components write lines of text, for tests: a step, a job, a world, and a flood of lines.
+//! Robot whose components write lines of text, for tests: a step, a job, a world, and a flood of lines. With the world `clock` jobs run in
+//! real time.
 
 use std::convert::Infallible;
+use std::hint::black_box;
 use std::process::ExitCode;
 
 use bica::prelude::*;
@@ -42,9 +44,13 @@ impl Thinker {
         Self { jobs: 0 }
     }
 
+    /// Takes up to a cycle, which depends on the number.
     #[work(takes_ms = 100)]
     fn think(number: u32) -> u32 {
         log::warn!("job {number}");
+        for step in 0..number * 7 % 20 * 500_000 {
+            black_box(step);
+        }
         number + 1
     }
 
@@ -63,14 +69,16 @@ struct Sensors;
 
 impl Robot for Chat {
     type Sensors<'a> = Sensors;
-    type Command = ();
+    type Command = u32;
     type Error = Infallible;
 
     fn sense(&mut self, _: &Sensors) -> Result<(), Infallible> {
         Ok(())
     }
 
-    fn act(&mut self) {}
+    fn act(&mut self) -> u32 {
+        self.get::<Thinker>().jobs
+    }
 }
 
 struct Room(u64);
@@ -87,11 +95,11 @@ impl World<Chat> for Room {
         Sensors
     }
 
-    fn act(&mut self, (): &()) {
+    fn act(&mut self, _: &u32) {
         self.0 += 1;
     }
 }
 
 fn main() -> ExitCode {
-    App::<Chat>::new("talker").world("room", |_| Room(0)).run()
+    App::<Chat>::new("talker").world("room", |_| Room(0)).device("clock", |_| Ok(Room(0))).run()
 }

@@ -1,5 +1,7 @@
 //! The program of a robot that is neither a humanoid nor plays soccer: the wall follower.
 
+#[cfg(target_os = "linux")]
+mod jobs;
 mod link;
 mod logs;
 #[cfg(all(unix, feature = "monitor"))]

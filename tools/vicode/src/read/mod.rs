@@ -21,8 +21,8 @@ use self::component::settings;
 pub(crate) use self::lexed::{Kind, Token, is_keyword, lexed};
 pub(crate) use self::outline::{Node, Outline};
 pub(crate) use self::source::{Source, parse};
-pub(crate) use self::trees::{drafts, within};
 pub use self::trees::{TreeSource, trees};
+pub(crate) use self::trees::{drafts, within};
 use crate::model::{Component, Model, Name, Problem, Span};
 
 /// Reads a file.

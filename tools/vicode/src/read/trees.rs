@@ -66,11 +66,7 @@ pub(super) fn model(draft: &Draft) -> Tree {
         ty: written(&entry.kind),
     });
     let provided = |entry: &RoleEntry| Provided { role: written(&entry.role), provider: written(&entry.provider) };
-    Tree {
-        name: draft.name.to_string(),
-        members: members.collect(),
-        roles: draft.roles.iter().map(provided).collect(),
-    }
+    Tree { name: draft.name.to_string(), members: members.collect(), roles: draft.roles.iter().map(provided).collect() }
 }
 
 /// Returns the tokens before the closing bracket.
