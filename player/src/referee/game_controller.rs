@@ -4,8 +4,9 @@ use bica::prelude::*;
 
 use super::packet::{Control, GamePhase, Penalty, PlayState, SetPlay, Team};
 use super::places;
-use super::{Identity, Order, Received, Whistle};
+use super::{Identity, Order, Received};
 use crate::input::GameState;
+use crate::roles::Ears;
 use bica_motion::pose::Pose2;
 
 /// Time after the last packet from which on any packet is accepted: another `GameController` may have taken over. µs.
@@ -30,6 +31,8 @@ pub struct GameController {
     late: u32,
     other_source: u32,
     button: Button,
+    /// Whether the whistle was heard since the state became set. The state playing is shown up to 10 s later.
+    whistled: bool,
     order: Order,
 }
 
@@ -58,16 +61,15 @@ impl GameController {
             late: 0,
             other_source: 0,
             button: Button::Starts,
+            whistled: false,
             order: Order::Initial,
         }
     }
 
-    fn step(&mut self, time: &Time, game: &GameState, whistle: &mut Whistle) {
+    fn step(&mut self, time: &Time, game: &GameState, ears: &impl Ears) {
         self.silence = if core::mem::take(&mut self.is_new) { 0.0 } else { self.silence + time.dt() };
-        if self.state() != Some(PlayState::Set) {
-            whistle.forget();
-        }
-        self.order = self.decide(game.playing(), whistle.heard());
+        self.whistled = self.state() == Some(PlayState::Set) && (self.whistled || ears.heard());
+        self.order = self.decide(game.playing());
     }
 
     /// Takes what the network has brought since the last cycle: a packet, and the number of all other datagrams so far.
@@ -105,14 +107,14 @@ impl GameController {
         pressed && matches!(self.button, Button::Penalizes)
     }
 
-    fn decide(&self, is_in_game: bool, whistle: bool) -> Order {
+    fn decide(&self, is_in_game: bool) -> Order {
         let started = self.button != Button::Starts;
         match &self.newest {
             _ if !is_in_game => Order::Penalized,
             None if started => Order::Playing,
             None => Order::Initial,
             Some(_) if self.penalty() != Penalty::None => Order::Penalized,
-            Some(Received { control, .. }) => order(control, self.me.team, whistle),
+            Some(Received { control, .. }) => order(control, self.me.team, self.whistled),
         }
     }
 

@@ -16,7 +16,9 @@ use crate::perception::{
     OwnBody, RobotDetector,
 };
 use crate::robot;
-use crate::roles::{Ball, Carpet, Eye, Falls, Game, Goal, Health, Legs, Odometer, Place, Robots, Views, Whereabouts};
+use crate::roles::{
+    Ball, Carpet, Ears, Eye, Falls, Game, Goal, Health, Legs, Odometer, Place, Robots, Views, Whereabouts,
+};
 use crate::team::{Positioning, Roles, TeamBall, TeamComm, TeamMates, TeamPlay};
 
 activation_tree! {
@@ -28,7 +30,7 @@ activation_tree! {
         tunable,
         roles: {
             Ball: BallDetector, Goal: GoalDetector, Place: Localization, Odometer: Odometry,
-            Legs: Body, Falls: FallDetector, Health: HealthMonitor, Whereabouts: FieldPose,
+            Legs: Body, Falls: FallDetector, Health: HealthMonitor, Whereabouts: FieldPose, Ears: Whistle,
             Robots: RobotDetector, Carpet: FieldBoundary, Eye: CameraPose, Views: CameraInput, Game: GameState,
         },
         components: [

@@ -2,11 +2,12 @@
 
 use bica::prelude::*;
 
-/// Whether the whistle for the kick-off was heard. The `GameController` shows the state playing up to 10 s later.
+/// The whistle as an operator reports it.
 ///
-/// No component listens to microphones: an operator, or a component to come, calls `hear`.
+/// No component listens to microphones: one that does provides the role [`Ears`](crate::roles::Ears) in its tree instead.
 #[derive(Clone, Copy, Debug)]
 pub struct Whistle {
+    reported: bool,
     heard: bool,
 }
 
@@ -15,21 +16,20 @@ impl Whistle {
     /// Creates the component before a whistle.
     #[must_use]
     pub const fn new() -> Self {
-        Self { heard: false }
+        Self { reported: false, heard: false }
     }
 
-    /// Notes that the whistle was heard. It counts in the state set only.
+    fn step(&mut self) {
+        self.heard = core::mem::take(&mut self.reported);
+    }
+
+    /// Reports that the whistle was heard. It counts in the state set only.
     #[modulation]
     pub const fn hear(&mut self) {
-        self.heard = true;
+        self.reported = true;
     }
 
-    /// Forgets the whistle: another state than set is shown.
-    pub const fn forget(&mut self) {
-        self.heard = false;
-    }
-
-    /// Whether the whistle was heard since the state became set.
+    /// Whether the whistle was heard since the last cycle.
     #[output]
     #[must_use]
     pub const fn heard(&self) -> bool {

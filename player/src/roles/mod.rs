@@ -130,6 +130,14 @@ pub trait Game {
     fn playing(&self) -> bool;
 }
 
+/// What the robot hears of the referee.
+#[cfg(feature = "referee")]
+#[role]
+pub trait Ears {
+    /// Whether the whistle was heard since the last cycle.
+    fn heard(&self) -> bool;
+}
+
 /// The place of the robot on the field, also between sightings of marks.
 #[cfg(feature = "referee")]
 #[role]

@@ -13,16 +13,16 @@ use bica_vision::projection::Camera;
 use glam::Mat3;
 use glam::Vec2;
 
-#[cfg(feature = "referee")]
-use super::Whereabouts;
 use super::{Ball, Carpet, Eye, Falls, Game, Goal, Health, Legs, Odometer, Place, Robots, Views};
+#[cfg(feature = "referee")]
+use super::{Ears, Whereabouts};
 use crate::input::{CameraInput, GameState, HealthMonitor};
 use crate::motion::Body;
 use crate::perception::{
     BallDetector, Bearing, CameraPose, FallDetector, FieldBoundary, GoalDetector, Localization, Odometry, RobotDetector,
 };
 #[cfg(feature = "referee")]
-use crate::referee::FieldPose;
+use crate::referee::{FieldPose, Whistle};
 
 /// Implements a role by the component's own functions of the same names.
 macro_rules! provide {
@@ -111,6 +111,11 @@ impl Eye for CameraPose {
 provide!(Whereabouts by FieldPose {
     pose -> Option<Pose2>;
     covariance -> Mat3;
+});
+
+#[cfg(feature = "referee")]
+provide!(Ears by Whistle {
+    heard -> bool;
 });
 
 provide!(Odometer by Odometry {

@@ -16,15 +16,21 @@ fn packet(control: Control, number: u8, at_ms: u64) -> Received {
     Received { control: Control { number, ..control }, source: SOURCE, at_us: 1000 * at_ms }
 }
 
+/// Ears that hear a whistle in all cycles, or in none.
+struct Made(bool);
+
+impl Ears for Made {
+    fn heard(&self) -> bool {
+        self.0
+    }
+}
+
 fn ordered(game: &mut GameController, is_in_game: bool, whistle: bool) -> Order {
-    let (mut state, mut heard) = (GameState::new(), Whistle::new());
+    let mut state = GameState::new();
     if !is_in_game {
         state.stop();
     }
-    if whistle {
-        heard.hear();
-    }
-    game.step(&test_time(10), &state, &mut heard);
+    game.step(&test_time(10), &state, &Made(whistle));
     game.order()
 }
 
@@ -83,12 +89,15 @@ fn whistle_starts_the_game_in_set_only() {
     assert_eq!(order_of(kick_off(23, PlayState::Set), true), Order::Playing);
     assert_eq!(order_of(kick_off(5, PlayState::Set), true), Order::Wait);
     assert_eq!(order_of(kick_off(23, PlayState::Ready), true), Order::Ready);
-    let mut whistle = Whistle::new();
-    whistle.hear();
     let mut game = GameController::new();
-    game.receive(ME, Some(&packet(control(PlayState::Ready), 0, 0)), 0);
-    game.step(&test_time(10), &GameState::new(), &mut whistle);
-    assert!(!whistle.heard(), "a whistle before the state set does not count later");
+    let mut next = |number, state, whistle| {
+        game.receive(ME, Some(&packet(kick_off(23, state), number, 0)), 0);
+        ordered(&mut game, true, whistle)
+    };
+    assert_eq!(next(0, PlayState::Ready, true), Order::Ready);
+    assert_eq!(next(1, PlayState::Set, false), Order::Set, "a whistle before the state set does not count later");
+    assert_eq!([next(2, PlayState::Set, true), next(3, PlayState::Set, false)], [Order::Playing; 2]);
+    assert_eq!([next(4, PlayState::Ready, false), next(5, PlayState::Set, false)], [Order::Ready, Order::Set]);
 }
 
 #[test]

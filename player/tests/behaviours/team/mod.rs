@@ -10,7 +10,7 @@ use bica::runner::harness::Harness;
 use bica_player::input::GameState;
 use bica_player::referee::packet::{Control, PlayState, Team};
 use bica_player::referee::{GameController, Identity, Received, Whistle};
-use bica_player::roles::{Ball, Falls, Whereabouts};
+use bica_player::roles::{Ball, Ears, Falls, Whereabouts};
 use bica_player::team::{Heard, Roles, TeamBall, TeamComm, TeamMates, TeamMessage};
 
 use super::Scene;
@@ -22,7 +22,7 @@ activation_tree! {
     struct Mind {
         root: TeamComm,
         cycle_hz: 100,
-        roles: { Ball: Scene, Falls: Scene, Whereabouts: Scene },
+        roles: { Ball: Scene, Falls: Scene, Whereabouts: Scene, Ears: Whistle },
         components: [TeamComm, Roles, TeamBall, TeamMates, GameController, GameState, Whistle, Scene],
     }
 }

@@ -22,7 +22,7 @@ activation_tree! {
         cycle_hz: 100,
         roles: {
             Ball: Scene, Goal: Scene, Place: Scene, Whereabouts: Scene, Odometer: Scene, Falls: Scene, Health: Scene, Legs: Feet,
-            Robots: Scene, Carpet: Scene, Eye: Scene, Game: GameState,
+            Robots: Scene, Carpet: Scene, Eye: Scene, Game: GameState, Ears: Whistle,
         },
         components: [
             TeamPlay, Positioning, GoTo, Player, SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble,
