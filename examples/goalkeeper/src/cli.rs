@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::Keeper;
 use crate::series::Series;
-use crate::shots::{Plan, Robot, ShotResult};
+use crate::shots::{self, Plan, Robot, ShotResult};
 
 static GRAPH: Graph = Keeper::GRAPH;
 
@@ -78,6 +78,7 @@ pub fn app() -> App<Keeper> {
     App::new("goalkeeper")
         .describe(|command| command.version(env!("CARGO_PKG_VERSION")).about(ABOUT).after_help(AFTER))
         .kind(KIND)
+        .robot(shots::at_start)
         .try_world("shots", |options| {
             let plan = Plan { seed: options.seed, shots: options.value("shots", 100)?, ..Plan::default() };
             Series::new(plan)

@@ -7,9 +7,10 @@ use bica_player::behaviour::{FaceBall, Fixmove, FollowBall, SafetyGuard, SearchB
 use bica_player::input::{GameState, RobotState};
 use bica_player::motion::{Body, SideChoice};
 use bica_player::perception::{BallDetector, FallDetector, Odometry};
+use bica_player::referee::FieldPose;
 use bica_player::strategy::Strike;
 
-use crate::skills::{BallPath, Dive, FieldPose, GuardPost};
+use crate::skills::{BallPath, Dive, GuardPost};
 
 /// Stands in the goal, watches the ball, blocks it and kicks it away.
 #[derive(Debug)]
@@ -67,7 +68,7 @@ impl Goalkeeper {
     ) {
         if fixmove.requested().is_none() {
             let foot = if ball.position().is_some_and(|ball| ball.y > 0.0) { Side::Left } else { Side::Right };
-            let heading = field.pose().heading;
+            let heading = field.pose().map_or(0.0, |pose| pose.heading);
             // Not more than 0.8 rad (46°) from straight ahead, in the frame of the odometry.
             let heading = odometry.pose().heading + heading.clamp(-0.8, 0.8) - heading;
             fixmove.play(Strike { kick: Kick { kind: KickKind::Front, foot }, heading });

@@ -8,8 +8,10 @@ use bica::{Setting, Tree};
 use bica_app::{Batch, Failure};
 use bica_field::GoalColour;
 use bica_motion::model::simulation::NAO;
+use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
 use bica_player::perception::GoalDetector;
+use bica_player::referee::FieldPose;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::Event;
@@ -18,7 +20,6 @@ use bica_sim::shot::{SPEEDS, Shot};
 use glam::Vec2;
 
 use crate::Keeper;
-use crate::skills::START;
 
 /// Size of the camera images, 160×120: enough for a ball 3 m away, and quick.
 const FRAME: Frame = Frame::Small;
@@ -87,6 +88,9 @@ pub struct ShotResult {
     pub falls: usize,
 }
 
+/// Pose of the robot at the start, field frame: in the middle of its goal, facing the field.
+const START: Pose2 = Pose2::new(-2.95, 0.0, 0.0);
+
 /// Makes a world with the robot in the middle of its goal and a ball that rests in front of it. The colour of the other goal is
 /// drawn from the seed if it is `None`.
 ///
@@ -98,12 +102,20 @@ pub fn world(seed: u64, ball: Vec2, attacks: Option<GoalColour>) -> Result<Kinem
     KinematicWorld::new(NAO, &setup).map_err(|error| refused(&error))
 }
 
+/// Makes a goalkeeper that knows where it starts.
+#[must_use]
+pub fn at_start() -> Box<Keeper> {
+    let mut keeper = Box::new(Keeper::new());
+    keeper.get_mut::<FieldPose>().place(START);
+    keeper
+}
+
 /// Makes the goalkeeper of a world, with parameters that are not the defaults.
 ///
 /// # Errors
 /// If a parameter is refused.
 pub fn goalkeeper(world: &KinematicWorld, settings: &[Setting]) -> Result<Box<Keeper>, Failure> {
-    let mut keeper = Box::new(Keeper::new());
+    let mut keeper = at_start();
     keeper.get_mut::<GoalDetector>().attack(world.referee().attacks());
     keeper.set_params(settings).map_err(|refusal| Failure::new(refusal.to_string(), "choose other values of --set"))?;
     Ok(keeper)

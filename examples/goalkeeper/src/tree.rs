@@ -11,11 +11,12 @@ use bica_player::perception::{
     self, BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry,
     OwnBody, RobotDetector,
 };
+use bica_player::referee::FieldPose;
 use bica_player::robot;
 use bica_player::roles::{Ball, Carpet, Eye, Falls, Game, Health, Legs, Odometer, Place, Robots, Views};
 
 use crate::Goalkeeper;
-use crate::skills::{BallPath, Dive, FieldPose, GuardPost};
+use crate::skills::{BallPath, Dive, GuardPost};
 
 activation_tree! {
     /// A goalkeeper: stands in its goal, watches the ball, blocks it and kicks it away.

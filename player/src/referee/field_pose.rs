@@ -41,6 +41,11 @@ impl FieldPose {
         Self { origin: Some(pose), pose: Some(pose), certain: pose, ..Self::new() }
     }
 
+    /// Sets the pose, field frame, of a robot whose start is known; its odometry begins there.
+    pub const fn place(&mut self, pose: Pose2) {
+        *self = Self { attacked: self.attacked, ..Self::at(pose) };
+    }
+
     fn step(&mut self, field: &Localization, odometry: &Odometry, goal: &GoalDetector) {
         self.attacked = goal.attacked();
         if let Some(estimate) = field.estimate().filter(Estimate::is_sure) {

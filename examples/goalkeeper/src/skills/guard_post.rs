@@ -7,11 +7,10 @@ use bica_motion::pose::{Pose2, rotate, wrap};
 use bica_motion::walk::Velocity;
 use bica_player::motion::Body;
 use bica_player::perception::BallDetector;
+use bica_player::referee::FieldPose;
 use bica_player::shapes;
 use glam::Vec2;
 use libm::{atan2f, fabsf};
-
-use super::FieldPose;
 
 /// Middle of the own goal line, m, field frame.
 const GOAL: Vec2 = Vec2::new(-3.0, 0.0);
@@ -65,7 +64,7 @@ impl GuardPost {
     }
 
     fn step(&mut self, tuned: &Tuned<Guarding>, field: &FieldPose, ball: &BallDetector, body: &mut Body) {
-        let here = field.pose();
+        let Some(here) = field.pose() else { return body.stand() };
         let to_ball = ball.position().map_or(Vec2::X, |ball| here.place(ball) - GOAL);
         let heading = atan2f(to_ball.y, to_ball.x.max(0.3));
         let place = GOAL + rotate(Vec2::X, heading) * tuned.distance;

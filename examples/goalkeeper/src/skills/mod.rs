@@ -2,10 +2,8 @@
 
 mod ball_path;
 mod dive;
-mod field_pose;
 mod guard_post;
 
 pub use ball_path::{BallPath, Crossing, Shooting};
 pub use dive::Dive;
-pub use field_pose::{FieldPose, START};
 pub use guard_post::{GuardPost, Guarding};
