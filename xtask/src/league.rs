@@ -25,7 +25,7 @@ pub(crate) fn install() -> Result<(), String> {
 /// # Errors
 /// If a test or a game fails.
 pub(crate) fn check() -> Result<(), String> {
-    build::cargo("test", &["--lib", "league::client", "--", "--ignored"], &[])?;
+    build::cargo("test", &["--lib", "league::", "--", "--ignored"], &[])?;
     build::cargo("test", &["--test", "league", "--", "--ignored"], &[])?;
     let play = ["--", "play", "--world", "league", "--robot", "t1", "--games", "4", "--at-least", "1"];
     run("cargo", &[&["run", "--release"], build::release(), &play].concat(), &[])

@@ -69,3 +69,47 @@ impl Drop for Opponent {
         _ = self.thread.take().map(JoinHandle::join);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use bica::Tree;
+    use bica_player::perception::Odometry;
+
+    use super::super::client::tests::{server, stand};
+    use super::super::client::{Agent, Monitor, body};
+    use super::super::robot::FOOTBALLERS;
+    use super::*;
+
+    #[test]
+    #[ignore = "needs the league's server: cargo xtask ci --only league"]
+    fn other_player_stands_while_the_first_team_kicks_off() {
+        let server = server();
+        let address = server.address().clone();
+        let (mut agent, _) = Agent::join(body::T1, &address, "Bica", 1).expect("the player is accepted");
+        let is_over = Arc::new(AtomicBool::new(false));
+        let ended = Arc::clone(&is_over);
+        // The server waits for each player.
+        let first = thread::spawn(move || {
+            while !ended.load(Ordering::Relaxed) {
+                drop(stand(&mut agent, 1));
+            }
+        });
+        let entry = Entry { server: Some(address.clone()), team: TEAM.to_owned(), number: 1, ..Entry::default() };
+        let world = LeagueWorld::open(&FOOTBALLERS[0], &entry, Standing::default()).expect("the player is accepted");
+        let mut runner = Runner::new((FOOTBALLERS[0].forward)(), world);
+        let mut run = |seconds: u32| {
+            (0..50 * seconds).for_each(|_| _ = runner.cycle());
+            runner.robot().get::<Odometry>().pose().position
+        };
+        let mut monitor = Monitor::connect(&address).expect("the server accepts monitors");
+        run(2);
+        monitor.kick_off().expect("sent");
+        let (before, after) = (run(2), run(10));
+        assert!(after.distance(before) < 0.05, "in the 12 s of the kick-off: {before} to {after}");
+        monitor.drop_ball().expect("sent");
+        let played = run(10);
+        assert!(played.distance(after) > 0.1, "in 10 s of play: {after} to {played}");
+        is_over.store(true, Ordering::Relaxed);
+        first.join().expect("no panic");
+    }
+}

@@ -16,7 +16,7 @@ use bica_sim::show_field;
 use glam::{Vec2, Vec3};
 use serde::Serialize;
 
-use super::client::{self, Agent, Error, Game, Monitor, Perception, PlayMode, Seen, Server};
+use super::client::{self, Agent, Error, Monitor, Perception, PlayMode, Seen, Server};
 use super::entry::Entry;
 use super::opponent::Opponent;
 use super::robot::{Footballer, Standing};
@@ -198,10 +198,9 @@ impl LeagueWorld {
         if self.is_right() { [right, left] } else { [left, right] }
     }
 
-    /// Returns whether players may move.
+    /// Returns whether the player may play: the ball is in play, or its own team restarts.
     fn is_playing(&self) -> bool {
-        let Game { mode, .. } = &self.perception.game;
-        !matches!(mode, PlayMode::BeforeKickOff | PlayMode::Goal | PlayMode::GameOver)
+        self.perception.game.mode.lets_play(usize::from(self.is_right()))
     }
 
     /// Time since the start, s.
@@ -239,10 +238,11 @@ impl LeagueWorld {
 
     /// Executes a command for one cycle and reads the new perception.
     fn act(&mut self, Command { targets, stiffness, .. }: &Command) -> Result<(), Error> {
-        let was_playing = self.is_playing();
+        let before = self.perception.game.mode;
         self.agent.act(targets, stiffness)?;
         self.sense()?;
-        if self.server.is_none() && was_playing && self.perception.game.mode == PlayMode::Goal {
+        let is_goal = self.perception.game.mode == PlayMode::Goal && before != PlayMode::Goal;
+        if self.server.is_none() && is_goal {
             self.line_up()?;
         }
         Ok(())

@@ -16,11 +16,11 @@ mod monitor;
 mod perception;
 mod server;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub(crate) use agent::Agent;
 pub(crate) use body::Body;
 pub(crate) use error::Error;
 pub(crate) use monitor::Monitor;
-pub(crate) use perception::{Game, Perception, PlayMode, Seen, Sight};
+pub(crate) use perception::{Perception, PlayMode, Seen, Sight};
 pub(crate) use server::{Address, Server};

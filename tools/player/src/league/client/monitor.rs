@@ -49,6 +49,15 @@ impl Monitor {
         frame::write(&mut self.stream, &format!("(agent (unum {number})(team Left)(move {pose}))"))
     }
 
+    /// Gives the left team the kick-off: for 15 s nobody else may touch the ball.
+    ///
+    /// # Errors
+    /// If the connection is broken.
+    #[cfg(test)]
+    pub(crate) fn kick_off(&mut self) -> Result<(), Error> {
+        frame::write(&mut self.stream, "(kickOff Left)")
+    }
+
     /// Continues the game with the ball where it lies. Before a kick-off, a goal counts from then on.
     ///
     /// # Errors

@@ -33,7 +33,7 @@ pub(crate) struct Game {
     pub(crate) teams: [String; 2],
 }
 
-/// Play mode, as far as a player distinguishes it without its team.
+/// Play mode, as far as a player distinguishes it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum PlayMode {
     /// Before a kick-off: players may be placed.
@@ -45,7 +45,9 @@ pub(crate) enum PlayMode {
     Goal,
     /// The game is over.
     GameOver,
-    /// A restart.
+    /// A restart, such as a kick-off or a corner kick: only the team with this index in [`Game::teams`] may touch the ball.
+    Restart(usize),
+    /// A mode of a newer server: nobody plays.
     Other,
 }
 
@@ -79,6 +81,17 @@ pub(crate) enum Seen {
         /// `head`, `lfoot` or another name of the robot's model.
         part: String,
     },
+}
+
+impl PlayMode {
+    /// Returns whether the team with an index in [`Game::teams`] may play: the ball is in play, or the team restarts.
+    pub(crate) const fn lets_play(self, team: usize) -> bool {
+        match self {
+            Self::PlayOn => true,
+            Self::Restart(by) => by == team,
+            _ => false,
+        }
+    }
 }
 
 impl Perception {
@@ -119,7 +132,12 @@ impl Game {
             "PlayOn" => PlayMode::PlayOn,
             "Goal_Left" | "Goal_Right" => PlayMode::Goal,
             "GameOver" => PlayMode::GameOver,
-            _ => PlayMode::Other,
+            // In `offside_left` the right team was offside, and the left one restarts, too.
+            name => match name.to_ascii_lowercase().rsplit_once('_') {
+                Some((_, "left")) => PlayMode::Restart(0),
+                Some((_, "right")) => PlayMode::Restart(1),
+                _ => PlayMode::Other,
+            },
         };
         let team = |name| find(state, name).and_then(|name| name.first()?.atom()).unwrap_or_default().to_owned();
         Some(Self { mode, score: [count("sl")?, count("sr")?], teams: [team("tl"), team("tr")] })
@@ -175,6 +193,23 @@ mod tests {
         let kinds: Vec<Seen> = read.sights.into_iter().flatten().map(|sight| sight.what).collect();
         assert_eq!(kinds.len(), 4);
         assert_eq!(kinds[1], Seen::Mark("g_rup".to_owned()));
+    }
+
+    #[test]
+    fn restarts_belong_to_a_team() {
+        for (name, play) in [
+            ("PlayOn", [true, true]),
+            ("KickOff_Left", [true, false]),
+            ("KickIn_Right", [false, true]),
+            ("goal_kick_left", [true, false]),
+            ("offside_right", [false, true]),
+            ("BeforeKickOff", [false, false]),
+            ("Goal_Left", [false, false]),
+            ("unknown", [false, false]),
+        ] {
+            let read = Perception::parse(&MESSAGE.replace("PlayOn", name)).expect("well-formed");
+            assert_eq!([0, 1].map(|team| read.game.mode.lets_play(team)), play, "{name}");
+        }
     }
 
     #[test]

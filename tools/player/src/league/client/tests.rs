@@ -11,13 +11,13 @@ use super::{Address, Agent, Error, Monitor, Perception, PlayMode, Server};
 
 const NEEDED: &str = "the server is installed by `cargo xtask league`";
 
-fn server() -> Server {
+pub(crate) fn server() -> Server {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     Server::start(&Server::installed(&workspace), false).expect(NEEDED)
 }
 
 /// Holds the stand for some cycles; returns what the robot senses then, with the last view.
-fn stand(agent: &mut Agent, cycles: u32) -> Perception {
+pub(crate) fn stand(agent: &mut Agent, cycles: u32) -> Perception {
     let mut last = Perception::default();
     for _ in 0..cycles {
         agent.act(&T1.model.stand, &Joints::all(1.0)).expect("the server listens");
