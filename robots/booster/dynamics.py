@@ -8,7 +8,7 @@ import numpy as np
 
 LEGS = {"t1": (-27.669, 0, 0, 47.965, -20.296, 0), "k1": (-22.596, 0, 0, 46.388, -23.792, 0)}
 ARM = (0, -83, 0, -5.73)
-TORQUE = {"t1": [7, 7] + [18] * 8 + [30] + [45, 30, 30, 60, 20, 15] * 2, "k1": None}
+TORQUE = {"t1": [7, 7] + [18] * 8 + [30] + [45, 30, 30, 60, 20, 15] * 2, "k1": [6, 6] + [14] * 8 + [30, 35, 20, 40, 20, 20] * 2}
 FLOOR = '<geom name="floor" type="plane" size="0 0 1" contype="4" conaffinity="3" condim="3" friction="1 0.01 0.0005"/>'
 BALL = ('<body name="Ball"><freejoint name="Ball"/><geom type="sphere" size="0.0325" mass="0.055" contype="16" conaffinity="45" condim="6" '
         'priority="2" friction="0.7 0.003 0.0016" solref="0.01 0.25"/></body>')  # that of the NAO's field
@@ -16,7 +16,7 @@ STEP = 0.002
 
 
 class Dynamics:
-    def __init__(self, robot, torque):
+    def __init__(self, robot):
         folder = os.path.join(os.path.dirname(__file__), "../../bica-motion/models", robot)
         with open(os.path.join(folder, "robot.xml"), encoding="utf-8") as file:
             self.model = mujoco.MjModel.from_xml_string(file.read().replace("<worldbody>", "<worldbody>" + FLOOR, 1)
@@ -27,7 +27,7 @@ class Dynamics:
         waist = (0,) if count == 23 else ()
         right = (0, 83, 0, 5.73)
         self.stand = np.radians([0, 0, *ARM, *right, *waist, *LEGS[robot], *LEGS[robot]])
-        self.torque = np.array(TORQUE[robot] or [torque] * count)
+        self.torque = np.array(TORQUE[robot])
         self.held = np.where(np.arange(count) > 9, 400.0, 40.0)
         # The robot's motors damp: what is commanded replaces the damping of the model.
         self.damping = self.model.dof_damping[6:6 + count].copy()
@@ -65,8 +65,9 @@ class Dynamics:
         return [roll, pitch, yaw], sensors[:3], sensors[3:6]
 
     def push(self):
-        """A velocity of 2.5 m/s ahead, which no step stops."""
-        self.data.qvel[0] += 2.5
+        """A velocity of 2.5 m/s ahead of the robot, which no step stops."""
+        yaw = self.inertial()[0][2]
+        self.data.qvel[:2] += [2.5 * math.cos(yaw), 2.5 * math.sin(yaw)]
 
     def place_ball(self, x, y):
         self.ball.qpos[:] = [x, y, 0.0325, 1, 0, 0, 0]

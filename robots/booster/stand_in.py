@@ -78,7 +78,7 @@ class Robot:
         self.dynamics, self.dq, self.stepped, self.track = None, [0.0] * len(self.q), 0, []
         if has_dynamics:
             from dynamics import Dynamics
-            self.dynamics = Dynamics(robot, self.torque)
+            self.dynamics = Dynamics(robot)
             self.q, self.dq = self.dynamics.angles()
         self.mode, self.mode_since, self.left = DAMPING, 0.0, None
         self.start, self.entered, self.now = time.monotonic(), None, 0.0

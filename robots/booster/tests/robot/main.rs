@@ -1,5 +1,7 @@
 //! Tests of the driver against a robot in memory, which checks each message.
 
+#[cfg(feature = "mujoco")]
+mod dynamics;
 mod ends;
 mod faults;
 mod firmware;

@@ -19,6 +19,11 @@ pub(crate) struct StandIn {
     pub(crate) mode: i64,
     pub(crate) q: Vec<f32>,
     pub(crate) rpy: [f32; 3],
+    /// What a body with dynamics measures, in place of joints that go where they are sent.
+    pub(crate) measured: Option<LowState>,
+    /// Sensor values of the newest cycle, until somebody takes them.
+    #[cfg_attr(not(feature = "mujoco"), expect(dead_code, reason = "the tests with dynamics take them"))]
+    pub(crate) sensed: Option<Sensors<'static>>,
     pub(crate) fall: u32,
     /// Whether states are sent; what spoils them; whether requests are answered, and with which status changes of the mode are.
     pub(crate) is_silent: bool,
@@ -44,7 +49,7 @@ pub(crate) struct StandIn {
     pub(crate) notes: Vec<String>,
     answers: Vec<(u64, RpcRespMsg)>,
     /// Answer of the program, and when it comes, ms.
-    command: Option<(u64, Command)>,
+    pub(crate) command: Option<(u64, Command)>,
 }
 
 /// Commands the stand.
@@ -62,6 +67,8 @@ impl StandIn {
             mode: 0,
             q,
             rpy: [0.0; 3],
+            measured: None,
+            sensed: None,
             fall: 0,
             is_silent: false,
             spoil: None,
@@ -94,6 +101,9 @@ impl StandIn {
     }
 
     fn state(&self) -> LowState {
+        if let Some(measured) = &self.measured {
+            return measured.clone();
+        }
         let motor = |q: &f32| MotorState { q: *q, temperature: 40, ..MotorState::default() };
         let motors: Vec<_> = self.q.iter().map(motor).collect();
         let mut state =
@@ -164,6 +174,7 @@ impl StandIn {
         }
         if let Some(sensors) = cycle {
             self.cycles += 1;
+            self.sensed = Some(sensors);
             let at = self.millis + 1 + (self.latency)(self.cycles);
             self.command = (self.program)(&sensors, self.cycles).map(|command| (at, command));
         }
