@@ -22,7 +22,6 @@ pub(crate) struct StandIn {
     /// What a body with dynamics measures, in place of joints that go where they are sent.
     pub(crate) measured: Option<LowState>,
     /// Sensor values of the newest cycle, until somebody takes them.
-    #[cfg_attr(not(feature = "mujoco"), expect(dead_code, reason = "the tests with dynamics take them"))]
     pub(crate) sensed: Option<Sensors<'static>>,
     pub(crate) fall: u32,
     /// Whether states are sent; what spoils them; whether requests are answered, and with which status changes of the mode are.
