@@ -64,7 +64,7 @@ function Therapist({ visible }) {
   const recorded = shown?.info.value.kind === 'recording';
   const read = (component, name) => {
     const at = shown.findInfo(component, name);
-    return at && shown.info_of(...at).now.value?.value;
+    return at && shown.output(...at).now.value?.value;
   };
   const call = (component, name, values = []) => {
     const index = shown.find(component);

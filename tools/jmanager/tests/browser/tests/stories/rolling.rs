@@ -7,7 +7,7 @@ use crate::{WIDE, map_has};
 
 /// Times of the newest values of the lidar, the wall and the pose, µs, the pose, and the number of rays.
 const KNOWN: &str = "return import('/lib/store.js').then(({ session }) => { const shown = session.value; \
-    const one = (component, name) => shown.info_of(...shown.findInfo(component, name)); const last = ({ times }) => times.at(-1) ?? 0; \
+    const one = (component, name) => shown.output(...shown.findInfo(component, name)); const last = ({ times }) => times.at(-1) ?? 0; \
     const [scan, wall, pose] = [one('Lidar', 'scan'), one('WallDetector', 'wall'), one('Odometry', 'pose')]; \
     return { times: [scan, wall, pose].map(last), pose: pose.values.at(-1), rays: scan.values.at(-1)?.ranges.length, \
         truth: shown.truth.value?.truth.find(({ name }) => name === 'robot')?.value, until: shown.live.value.time_us, \
