@@ -30,7 +30,11 @@ async fn names_providers_and_roles_of_a_tree_are_changed() {
     load_axe(&page).await;
     for theme in ["dark", "light"] {
         // Where a page begins is the browser's choice.
-        page.run(&format!("if (document.documentElement.dataset.theme !== '{theme}') document.querySelector('[aria-label$=\"{theme} theme\"]').click()")).await;
+        let press = format!(
+            "if (document.documentElement.dataset.theme !== '{theme}') \
+            document.querySelector('[aria-label$=\"{theme} theme\"]').click()"
+        );
+        page.run(&press).await;
         page.is("html", &format!("one.dataset.theme === '{theme}'")).await;
         page.screenshot(&format!("tree-{theme}")).await;
         assert_eq!(page.run(TARGETS).await, json!([]), "{theme}");
