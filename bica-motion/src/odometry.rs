@@ -37,6 +37,15 @@ impl OdometryTuning {
     pub const DEFAULT: Self = Self { full_trust: 0.5, distance_scale: Vec2::ONE, turn_scale: 1.0 };
 }
 
+/// Turn by the legs alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LegsTurn {
+    /// Turn of the last cycle, rad.
+    pub angle: f32,
+    /// Turn rate by which that of the torso may differ, rad/s; see [`Calibration::max_turn_difference`].
+    pub max_difference: f32,
+}
+
 /// Input of the odometry in one cycle.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionInput<'a> {
@@ -99,10 +108,10 @@ impl Odometry {
         self.support
     }
 
-    /// Turn of the last cycle by the support leg alone, rad; the gyroscope has no part in it.
+    /// Turn of the last cycle by the support leg alone; the gyroscope has no part in it.
     #[must_use]
-    pub const fn legs_turn(&self) -> f32 {
-        self.legs_turn
+    pub const fn legs_turn(&self) -> LegsTurn {
+        LegsTurn { angle: self.legs_turn, max_difference: self.calibration.max_turn_difference }
     }
 
     /// Processes one cycle; returns the current ground frame in the ground frame of the last cycle.

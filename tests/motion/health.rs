@@ -2,7 +2,8 @@
 
 use bica_motion::health::{Fault, Glimpse, Health, Senses};
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::NAO;
+use bica_motion::model::{Calibration, NAO};
+use bica_motion::odometry::LegsTurn;
 use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_motion::stiffness::Stiffness;
@@ -345,6 +346,21 @@ fn gyroscope_offset_at_rest_is_a_fault() {
     assert!(Fault::GyroOffset.is_temporary() && Fault::FrozenImage.is_temporary());
 }
 
+const fn legs_turn(angle: f32) -> LegsTurn {
+    LegsTurn { angle, max_difference: Calibration::EXACT.max_turn_difference }
+}
+
+#[test]
+fn slip_of_soles_that_say_nothing_is_no_offset() {
+    for (max_difference, is_offset) in [(f32::INFINITY, false), (0.1, true)] {
+        let mut senses = Senses::new();
+        let inertial = Inertial { gyro: 0.3 * Vec3::Z, ..standing(0).inertial };
+        (0..1000).for_each(|_| senses.turn(&inertial, Some(LegsTurn { angle: 0.0, max_difference }), 0.01));
+        senses.see(Glimpse { digest: 1, brightness: 100 });
+        assert_eq!(senses.fault() == Some(Fault::GyroOffset), is_offset, "{max_difference} rad/s");
+    }
+}
+
 #[test]
 fn an_offset_is_found_in_a_walk_within_5_s() {
     // Time until a fault is found, for a turn rate of the legs, a relative additional turn of the torso (`slip`), and an offset.
@@ -353,7 +369,7 @@ fn an_offset_is_found_in_a_walk_within_5_s() {
         let cycle = (0_u16..1000).find(|&cycle| {
             let sway = 0.3 * (f32::from(cycle) * 0.12).sin();
             let gyro = Vec3::Z * (legs * (1.0 + slip) + offset + sway);
-            senses.turn(&Inertial { gyro, ..standing(0).inertial }, Some(0.01 * legs), 0.01);
+            senses.turn(&Inertial { gyro, ..standing(0).inertial }, Some(legs_turn(0.01 * legs)), 0.01);
             senses.see(Glimpse { digest: cycle.into(), brightness: 100 });
             senses.fault() == Some(Fault::GyroOffset)
         });
@@ -375,7 +391,7 @@ fn drifts(rate: impl Fn(u16) -> f32, pitch: impl Fn(u16) -> f32) -> bool {
     let mut senses = Senses::new();
     (0..1000).any(|cycle| {
         let inertial = Inertial { gyro: rate(cycle) * Vec3::Z, pitch: pitch(cycle), ..standing(0).inertial };
-        senses.turn(&inertial, Some(0.0), 0.01);
+        senses.turn(&inertial, Some(legs_turn(0.0)), 0.01);
         senses.see(Glimpse { digest: cycle.into(), brightness: 100 });
         senses.fault() == Some(Fault::GyroOffset)
     })

@@ -4,6 +4,7 @@ use glam::Vec3;
 
 use super::{Fault, is_upright};
 use crate::joints::{Joint, Joints};
+use crate::odometry::LegsTurn;
 use crate::robot::{Inertial, Sensors};
 
 /// Number of pixels of an image that are compared and averaged.
@@ -25,9 +26,7 @@ const SHORT: (u16, f32) = (50, 0.06);
 const LONG: (u16, f32) = (150, 0.04);
 /// Duration of a window in which the turn of a walking robot by its gyroscope is compared with that by its legs, s.
 const WINDOW: f32 = 0.5;
-/// Difference of the turn rates that a gyroscope in order may have, rad/s, and the share of the legs' rate by which the torso may turn
-/// further: in MuJoCo feet slip in turns, by 30 to 60 % of that rate.
-const DIFFERENCE: f32 = 0.04;
+/// Share of the legs' turn rate by which the torso may turn further: in MuJoCo feet slip in turns, by 30 to 60 % of that rate.
 const SLIP: f32 = 0.6;
 /// What a window counts at most of the turn beyond these, rad: the recoil of a kick turns the torso by 0.2 rad at once. And the sum that
 /// is a fault: it was 0.061 rad in 100 games of the built-in world, and in 12 games and 32 falls in MuJoCo.
@@ -85,23 +84,24 @@ pub struct Senses {
 struct Drift {
     /// Duration of the window so far, s.
     seconds: f32,
-    /// Turn by the gyroscope and by the legs in the window, rad.
+    /// Turn in the window by the gyroscope and by the legs, and what they may differ by, rad.
     measured: f32,
     by_legs: f32,
+    allowed: f32,
     /// Turn by the gyroscope beyond what the legs and their slip explain, to the left and to the right, rad: a cumulative sum
     /// (E. S. Page, Biometrika 1954).
     excess: [f32; 2],
 }
 
 impl Drift {
-    const NONE: Self = Self { seconds: 0.0, measured: 0.0, by_legs: 0.0, excess: [0.0; 2] };
+    const NONE: Self = Self { seconds: 0.0, measured: 0.0, by_legs: 0.0, allowed: 0.0, excess: [0.0; 2] };
 
     /// Adds the window to the sums, and begins another.
     fn end_window(&mut self) {
         let is_fast = self.by_legs.abs() > FAST_TURN * self.seconds;
         for (excess, side) in self.excess.iter_mut().zip([1.0, -1.0]) {
             let slip = SLIP * (side * self.by_legs).max(0.0);
-            let more = side * (self.measured - self.by_legs) - slip - DIFFERENCE * self.seconds;
+            let more = side * (self.measured - self.by_legs) - slip - self.allowed;
             if more > 0.0 || !is_fast {
                 *excess = (*excess + more.min(WINDOW_EXCESS)).max(0.0);
             }
@@ -156,9 +156,9 @@ impl Senses {
         (self.last, self.without_image) = (Some(glimpse), 0);
     }
 
-    /// Compares the turn of one cycle, of this duration (s), by the gyroscope with that by the legs (rad). It begins anew while the robot
-    /// is not upright, or `by_legs` is not known.
-    pub fn turn(&mut self, inertial: &Inertial, by_legs: Option<f32>, seconds: f32) {
+    /// Compares the turn of one cycle, of this duration (s), by the gyroscope with that by the legs. It begins anew while the robot is not
+    /// upright, or `by_legs` is not known.
+    pub fn turn(&mut self, inertial: &Inertial, by_legs: Option<LegsTurn>, seconds: f32) {
         let Some(by_legs) = by_legs.filter(|_| is_upright(inertial)) else {
             self.drift = Drift::NONE;
             return;
@@ -166,7 +166,8 @@ impl Senses {
         let drift = &mut self.drift;
         drift.seconds += seconds;
         drift.measured += inertial.gyro.z * seconds;
-        drift.by_legs += by_legs;
+        drift.by_legs += by_legs.angle;
+        drift.allowed += by_legs.max_difference * seconds;
         if drift.seconds >= WINDOW {
             drift.end_window();
             if drift.excess.iter().any(|excess| *excess > EXCESS) {

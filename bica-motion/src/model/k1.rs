@@ -12,8 +12,8 @@ use crate::model::booster_getup;
 use crate::model::booster_kicks;
 use crate::model::simulation::{Disc, Extents, Figure, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use crate::model::{
-    ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, HeadPitchLimit, LegGeometry, Mass, Masses,
-    Parameters, PitchFirstLeg, Profile, Range, RobotModel, SidewaysArm, T1, symmetric,
+    ArmGeometry, BodyShape, CameraMount, Capsule, Dimensions, HeadPitchLimit, LegGeometry, Mass, Masses, Parameters,
+    PitchFirstLeg, Profile, Range, RobotModel, SidewaysArm, T1, symmetric,
 };
 use crate::segment::Segment;
 use crate::side::Side::Left;
@@ -147,7 +147,7 @@ const MASSES: Masses = Masses::symmetric(
     ],
 );
 
-const PROFILE: Profile = Profile { gait: GAIT, kicks: booster_kicks::K1, odometry: Calibration::EXACT };
+const PROFILE: Profile = Profile { gait: GAIT, kicks: booster_kicks::K1, odometry: booster::ODOMETRY };
 
 /// Orders of magnitude from B-Human's walk of 2025, tuned in `MuJoCo`.
 const GAIT: Parameters = Parameters {

@@ -12,8 +12,8 @@ use crate::model::booster_getup;
 use crate::model::booster_kicks;
 use crate::model::simulation::{Disc, Extents, Figure, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use crate::model::{
-    ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, FeedbackDelay, HeadPitchLimit, LegGeometry,
-    Mass, Masses, Parameters, PitchFirstLeg, Profile, Range, RobotModel, Senses, SidewaysArm, symmetric,
+    ArmGeometry, BodyShape, CameraMount, Capsule, Dimensions, FeedbackDelay, HeadPitchLimit, LegGeometry, Mass, Masses,
+    Parameters, PitchFirstLeg, Profile, Range, RobotModel, Senses, SidewaysArm, symmetric,
 };
 use crate::segment::Segment;
 use crate::side::Side::Left;
@@ -159,7 +159,7 @@ const MASSES: Masses = Masses::symmetric(
     ],
 );
 
-const PROFILE: Profile = Profile { gait: GAIT, kicks: booster_kicks::T1, odometry: Calibration::EXACT };
+const PROFILE: Profile = Profile { gait: GAIT, kicks: booster_kicks::T1, odometry: booster::ODOMETRY };
 
 /// Orders of magnitude from B-Human's walk of 2025, tuned in `MuJoCo`.
 const GAIT: Parameters = Parameters {

@@ -3,7 +3,7 @@
 use bica::prelude::*;
 use bica::visual;
 use bica_motion::model::RobotModel;
-use bica_motion::odometry::{Calibration, MotionInput, Odometry as Estimator, OdometryTuning};
+use bica_motion::odometry::{Calibration, LegsTurn, MotionInput, Odometry as Estimator, OdometryTuning};
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use glam::Vec2;
@@ -99,9 +99,9 @@ impl Odometry {
         self.age.is_fresh()
     }
 
-    /// Turn of the last cycle by the support leg alone, rad; `None` if it did not run in this cycle.
+    /// Turn of the last cycle by the support leg alone; `None` if it did not run in this cycle.
     #[must_use]
-    pub const fn legs_turn(&self) -> Option<f32> {
+    pub const fn legs_turn(&self) -> Option<LegsTurn> {
         if self.age.is_new() { Some(self.estimator.legs_turn()) } else { None }
     }
 

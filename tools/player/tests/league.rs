@@ -20,8 +20,10 @@ fn recorded_game_replays_bit_for_bit() {
     let folder = std::env::temp_dir().join(format!("bica-league-test-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
     let file = folder.join("game.mcap").display().to_string();
-    let played = game("10", &["--record", &file]);
-    assert_eq!(played.status.code(), Some(1), "no goal in 10 s: {played:?}");
+    let played = game("25", &["--record", &file]);
+    assert_eq!(played.status.code(), Some(1), "no goal in 25 s: {played:?}");
+    let states = String::from_utf8_lossy(&played.stdout);
+    assert!(states.contains("approach") && !states.contains("blind"), "a sense has a fault: {played:?}");
     let replayed = player(&["replay", &file]);
     let text = String::from_utf8_lossy(&replayed.stdout);
     assert!(replayed.status.success() && text.contains("equal, bit for bit"), "{replayed:?}");

@@ -31,13 +31,14 @@ fn options_set_up_the_start_and_faults_that_are_told() {
 }
 
 /// Faults of senses and joints, as options of the world, and what the robot says.
-const FAULTS: [(&str, &str); 10] = [
+const FAULTS: [(&str, &str); 11] = [
     ("image=freeze", "the camera repeats the same image"),
     ("image=dark", "the camera's images are black"),
     ("image=bright", "the camera's images are white"),
     ("image=drop", "the camera sends no images"),
     ("gyro=0.2", "the gyroscope measures a turn that the robot does not make"),
     ("gyro=0.1", "the gyroscope measures a turn that the robot does not make"),
+    ("gyro=-0.1", "the gyroscope measures a turn that the robot does not make"),
     ("stuck=HeadYaw", "HeadYaw does not follow its target"),
     ("stuck=HeadPitch", "HeadPitch does not follow its target"),
     ("stuck=LKneePitch", "LKneePitch does not follow its target"),
