@@ -1,6 +1,7 @@
 //! The pictures of the documentation: `cargo test --manifest-path tools/jmanager/tests/browser/Cargo.toml --target-dir target/browser
 //! pictures -- --ignored`, after a release build of the programs and of the example `wall_follower`, and with
-//! `JMANAGER_PROFILE=release`. They are written beside the other screenshots, 1280 × 800 px; in docs/ they have 256 colours.
+//! `JMANAGER_PROFILE=release`. They are written beside the other screenshots, 1280 × 800 px; in docs/ they have 256 colours. Those of a trial
+//! and of a difference in the designer are `uses-dark-try` and `uses-dark-diff`.
 
 use std::time::Duration;
 
@@ -144,7 +145,6 @@ async fn pictures_of_the_designer() {
     at(&page, 13.0).await;
     page.screenshot("docs-vicode-live").await;
     page.run("document.activeElement.blur()").await;
-    page.press("t").await;
     // The note is not saved, because the source is that of the repository.
     let note = "return import('/vicode/sources.js').then(({ opened }) => { \
         const notes = [{ component: 'Player', at: null, text: 'Without a net, any goal will do: ask the referee.' }]; \
@@ -160,6 +160,7 @@ async fn pictures_of_the_designer() {
     page.reads("1 breakpoint").await;
     page.click("button", "Restart", "").await;
     page.reads("Player is in search_net").await;
+    page.counts(".notices .notice", "=== 0").await;
     page.screenshot("docs-vicode-states").await;
     page.close().await;
 }

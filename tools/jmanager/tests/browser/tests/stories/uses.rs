@@ -58,6 +58,7 @@ async fn states(page: &Page, class: &str) -> serde_json::Value {
 
 /// Takes pictures in both themes; checks that no name covers another one, and that all targets outside the drawing are large enough.
 async fn pictures(page: &Page, name: &str) {
+    page.counts(".notices .notice", "=== 0").await;
     for theme in ["dark", "light"] {
         set_theme(page, theme).await;
         page.screenshot(&format!("uses-{theme}-{name}")).await;
@@ -79,6 +80,7 @@ async fn difference_from_the_last_commit_is_on_the_drawing() {
         ("-> dribble)]", "-> dash)]"),
         ("(dribble ->", "(dash ->"),
         ("kick | dribble ->", "kick | dash ->"),
+        ("kick | dribble |", "kick | dash |"),
         ("after_ms = 1500", "after_ms = 800"),
         ("        follow.reached()\n", "        follow.reached() && self.decision.get().is_none()\n"),
     ]);
