@@ -46,7 +46,9 @@ pub(super) fn write(draft: &mut Draft, states: &[State], random: &mut Random) ->
     for (number, (from, to)) in arrows.into_iter().enumerate() {
         let guard = guard(draft, &states[from].body.function, random);
         let arrow = format!("    #[transition({} -> {}{guard})]\n", states[from].name, states[to].name);
-        if !guard.is_empty() && !states[to].takes && random.chance(50) {
+        let is_bare = !guard.is_empty() && !states[to].takes && random.chance(50);
+        // The compiler refuses a transition that is written twice.
+        if is_bare && !bare[from].contains(&arrow) {
             bare[from] += &arrow;
         } else {
             text += &arrow;
