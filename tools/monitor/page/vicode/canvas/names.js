@@ -20,12 +20,13 @@ export function apart(arrows, { courses, taken, area }, scale) {
   const rects = [...taken];
   const places = new Map();
   for (const arrow of arrows) {
-    const { d, label, anchor } = courses.get(arrow.key);
+    const { d, label, anchor, owner = arrow.key } = courses.get(arrow.key);
     // Names of what is chosen have bold letters.
     const [width, height] = [1.08 * labelWidth(arrow) * scale, 17 * scale];
     path.setAttribute('d', d);
     const length = path.getTotalLength();
-    for (const share of [null, ...SHARES]) {
+    // The place that the layout found for the name of a bundle is on its owner's arrow.
+    for (const share of owner === arrow.key ? [null, ...SHARES] : SHARES) {
       const { x, y } = share === null ? { x: label[0], y: label[1] } : path.getPointAtLength(share * length);
       const rect = boxRect({ x, y, width, height });
       const isOutside = area && (rect.left < area.x || rect.right > area.x + area.width || rect.top < area.y || rect.bottom > area.y + area.height);
