@@ -197,8 +197,12 @@ impl GameController {
     #[output]
     #[must_use]
     pub fn is_goalkeeper(&self) -> bool {
-        let me = self.me.player;
-        self.teams().is_some_and(|[own, _]| own.goalkeeper == me && places::taker(own) != Some(me))
+        self.teams().is_some_and(|[own, _]| own.goalkeeper == self.me.player) && !self.is_taker()
+    }
+
+    /// Whether the robot takes the own kick-off: the first field player without a penalty.
+    pub(crate) fn is_taker(&self) -> bool {
+        self.teams().is_some_and(|[own, _]| places::taker(own) == Some(self.me.player))
     }
 
     /// Number of players of a team on the field; 0 before the first packet.

@@ -19,8 +19,7 @@ pub struct News {
     /// Distance of the robot from its pose in the last message.
     #[param(default = 0.5, range = 0.1..=5.0, unit = "m", step = 0.1)]
     pub distance: f32,
-    /// Time after a change of the own part, or with a second striker, in which each message that the budget allows is sent: some
-    /// are lost.
+    /// Time after the fall of a striker, or with a second one, in which each message that the budget allows is sent: some are lost.
     #[param(default = 1.0, range = 0.0..=5.0, unit = "s", step = 0.1)]
     pub urgent_time: f32,
 }
@@ -74,10 +73,10 @@ impl TeamComm {
         let players = (mates.count() + 1).max(game.players_on_field());
         self.pacer.advance(time.dt(), game.control(), game.message_budget().unwrap_or(0), players);
         let is_double = roles.role() == Role::Striker && mates.strikers() > 0;
-        let is_urgent = is_double || roles.role() != self.role;
+        let is_urgent = is_double || self.role == Role::Striker && roles.role() == Role::Absent;
         self.role = roles.role();
         self.intention = intention(game.order(), roles, sight);
-        roles.set_heard(self.pacer.has_message());
+        roles.set_budget(self.pacer.can_claim(), self.pacer.is_scarce());
         self.urgent = if is_urgent { tuned.urgent_time } else { (self.urgent - time.dt()).max(0.0) };
         let Some(pose) = field.pose() else { return };
         let message = TeamMessage {
@@ -93,8 +92,13 @@ impl TeamComm {
             interval: self.pacer.interval(),
         };
         let has_other_part = self.last.is_none_or(|last| last.role != message.role);
-        let may_send = if has_other_part { self.pacer.may_send() } else { self.pacer.may_spare() };
-        if self.pacer.is_due() || may_send && (has_other_part || self.urgent > 0.0 || self.is_new(tuned, &message)) {
+        let is_about_part = has_other_part || self.urgent > 0.0;
+        let is_sent = if is_about_part {
+            self.pacer.may_send()
+        } else {
+            self.pacer.is_due() || self.pacer.may_spare() && self.is_new(tuned, &message)
+        };
+        if is_sent {
             self.send(message);
         }
     }

@@ -108,6 +108,11 @@ impl Election {
         }
     }
 
+    /// Sets whether this player is the striker, without a claim.
+    pub(super) const fn appoint(&mut self, is_striker: bool) {
+        *self = Self { is_striker, claim: self.claim, ..Self::new() };
+    }
+
     /// Whether a player that is not the striker becomes it; at once if it hears no other one.
     fn claims(
         &mut self,

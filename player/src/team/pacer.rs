@@ -11,10 +11,14 @@ const RESERVE: u32 = 3;
 const LEAST_INTERVAL: f32 = 0.1;
 /// Time between two messages without something new, s, if the budget is large.
 const USUAL_INTERVAL: f32 = 0.5;
+/// Time between two messages without something new, s, from which on messages are too rare to agree on a striker.
+const SCARCE_INTERVAL: f32 = 15.0;
 /// Share of the budget for messages without something new.
 const USUAL_SHARE: f32 = 0.5;
 /// Number of messages that a player has saved at the start, if its share is as large.
 const FIRST_CREDIT: f32 = 2.0;
+/// Number of saved messages that a player keeps for changes of its part.
+const KEPT: f32 = 4.0;
 /// Largest number of messages that a player saves for later.
 const MOST_CREDIT: f32 = 20.0;
 /// Duration of a half, s.
@@ -40,6 +44,8 @@ pub(super) struct Pacer {
     rate: f32,
     /// Whether the budget allows a message.
     has_message: bool,
+    /// Whether messages have been too rare to agree on a striker since they began to count.
+    is_scarce: bool,
 }
 
 impl Pacer {
@@ -53,6 +59,7 @@ impl Pacer {
             waited: LEAST_INTERVAL,
             rate: 0.0,
             has_message: false,
+            is_scarce: false,
         }
     }
 
@@ -60,7 +67,7 @@ impl Pacer {
     pub(super) fn advance(&mut self, seconds: f32, control: Option<&Control>, budget: u32, players: u32) {
         self.waited = fminf(self.waited + seconds, TeamMessage::LONG);
         let Some(control) = control.filter(|control| counts(control)) else {
-            (self.has_message, self.rate) = (false, 0.0);
+            (self.has_message, self.is_scarce, self.rate) = (false, false, 0.0);
             return;
         };
         if self.packet != Some(control.number) {
@@ -74,12 +81,20 @@ impl Pacer {
         self.credit = fminf(saved, fminf(MOST_CREDIT, share));
         // A message more must leave the reserve of all.
         self.has_message = left >= players && self.credit >= 1.0;
+        self.is_scarce |= self.interval() > SCARCE_INTERVAL;
     }
 
-    /// Whether there is a message for a change of the own part.
+    /// Whether messages are too rare to agree on a striker. This does not end before the half does: players that change at different
+    /// times would disagree.
     #[must_use]
-    pub(super) const fn has_message(&self) -> bool {
-        self.has_message
+    pub(super) const fn is_scarce(&self) -> bool {
+        self.is_scarce
+    }
+
+    /// Whether a claim can be repeated until the others have probably heard it.
+    #[must_use]
+    pub(super) fn can_claim(&self) -> bool {
+        self.has_message && self.credit >= KEPT
     }
 
     /// Whether a message about a change of the own part may be sent now.
@@ -88,10 +103,10 @@ impl Pacer {
         self.has_message && self.waited >= LEAST_INTERVAL
     }
 
-    /// Whether another message may be sent now: the last one that is saved is for a change of the own part.
+    /// Whether another message may be sent now: the last ones that are saved are for claims.
     #[must_use]
     pub(super) fn may_spare(&self) -> bool {
-        self.may_send() && self.credit >= 2.0
+        self.may_send() && (self.is_scarce || self.credit >= KEPT)
     }
 
     /// Whether a message without something new is due, and may be sent.
@@ -205,16 +220,16 @@ mod tests {
     }
 
     #[test]
-    fn last_message_is_kept_for_another_part() {
-        let mut pacer = Pacer::new();
+    fn messages_are_kept_for_claims() {
         let control = Control { state: PlayState::Playing, seconds_remaining: 600, ..Control::default() };
-        let mut may = || {
-            pacer.advance(1.0, Some(&control), 20, 3);
-            let may = (pacer.may_spare(), pacer.may_send());
-            pacer.count();
-            may
+        let may = |budget, seconds| {
+            let mut pacer = Pacer::new();
+            (0..seconds).for_each(|_| pacer.advance(1.0, Some(&control), budget, 3));
+            (pacer.may_send(), pacer.may_spare(), pacer.can_claim(), pacer.is_scarce())
         };
-        assert_eq!([may(), may(), may()], [(true, true), (false, true), (false, false)]);
+        assert_eq!(may(1200, 1), (true, false, false, false));
+        assert_eq!(may(1200, 10), (true, true, true, false));
+        assert_eq!(may(100, 1), (true, true, false, true), "claims are of no use");
     }
 
     #[test]

@@ -54,8 +54,10 @@ pub struct Roles {
     role: Role,
     election: Election,
     time_to_ball: Option<f32>,
-    /// Whether the budget allows a message about another part.
+    /// Whether the budget allows a claim that the others hear.
     is_heard: bool,
+    /// Whether messages are too rare to agree on a striker.
+    is_scarce: bool,
     /// Whether the goalkeeper plays a ball near its goal.
     is_clearing: bool,
 }
@@ -65,7 +67,14 @@ impl Roles {
     /// Creates the component outside the game.
     #[must_use]
     pub const fn new() -> Self {
-        Self { role: Role::Absent, election: Election::new(), time_to_ball: None, is_heard: true, is_clearing: false }
+        Self {
+            role: Role::Absent,
+            election: Election::new(),
+            time_to_ball: None,
+            is_heard: true,
+            is_scarce: false,
+            is_clearing: false,
+        }
     }
 
     fn step(
@@ -83,10 +92,14 @@ impl Roles {
         self.time_to_ball = pose.zip(at).map(|(pose, at)| reach.time_to(&pose, at));
         let is_playing = !matches!(game.order(), Order::Initial | Order::Penalized | Order::Finished);
         let is_fit = is_playing && !falls.is_down();
-        // A robot without a pose cannot send that it is the striker.
-        let may_strike = is_fit && !game.is_goalkeeper() && (pose.is_some() || mates.strikers() == 0);
-        let me = may_strike.then_some((game.me().player, self.time_to_ball));
-        self.election.decide(claiming, time.dt(), me, self.is_heard, mates.present().filter_map(candidate));
+        if self.is_scarce {
+            self.election.appoint(is_fit && game.is_taker());
+        } else {
+            // A robot without a pose cannot send that it is the striker.
+            let may_strike = is_fit && !game.is_goalkeeper() && (pose.is_some() || mates.strikers() == 0);
+            let me = may_strike.then_some((game.me().player, self.time_to_ball));
+            self.election.decide(claiming, time.dt(), me, self.is_heard, mates.present().filter_map(candidate));
+        }
         self.role = if !is_fit {
             Role::Absent
         } else if game.is_goalkeeper() {
@@ -120,9 +133,10 @@ impl Roles {
         self.role == Role::Goalkeeper && ball.distance(goal) < reach.clearing_distance + slack
     }
 
-    /// Sets whether the others would hear of another part.
-    pub const fn set_heard(&mut self, is_heard: bool) {
-        self.is_heard = is_heard;
+    /// Sets whether the others would hear a claim, and whether messages are too rare to agree on a striker: then the player
+    /// that takes the kick-off is the striker, which each player knows from the packets.
+    pub(super) const fn set_budget(&mut self, is_heard: bool, is_scarce: bool) {
+        (self.is_heard, self.is_scarce) = (is_heard, is_scarce);
     }
 
     /// The own part.
