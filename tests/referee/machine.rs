@@ -24,7 +24,7 @@ const ORDERS: [Order; 8] = [
 
 /// Returns a packet with an order for the player.
 fn packet(order: Order) -> Control {
-    let mut teams = [5, 23].map(|number| Team { number, ..Team::default() });
+    let mut teams = [5, 23].map(|number| Team { number, message_budget: 12_000, ..Team::default() });
     if order == Order::Penalized {
         teams[1].players[1].penalty = Penalty::Pushing;
     }

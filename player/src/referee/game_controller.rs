@@ -197,12 +197,13 @@ impl GameController {
     #[output]
     #[must_use]
     pub fn is_goalkeeper(&self) -> bool {
-        self.teams().is_some_and(|[own, _]| own.goalkeeper == self.me.player) && !self.is_taker()
+        let me = self.me.player;
+        self.teams().is_some_and(|[own, _]| own.goalkeeper == me && places::taker(own) != Some(me))
     }
 
-    /// Whether the robot takes the own kick-off: the first field player without a penalty.
-    pub(crate) fn is_taker(&self) -> bool {
-        self.teams().is_some_and(|[own, _]| places::taker(own) == Some(self.me.player))
+    /// Number of players that take the own kick-off rather than the robot; `None` for the goalkeeper, and with a penalty.
+    pub(crate) fn turn(&self) -> Option<usize> {
+        self.teams().and_then(|[own, _]| places::turn(own, self.me.player))
     }
 
     /// Number of players of a team on the field; 0 before the first packet.

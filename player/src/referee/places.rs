@@ -43,6 +43,14 @@ pub(super) fn taker(team: &Team) -> Option<u8> {
     field.map(|(number, _)| number)
 }
 
+/// Number of players that take the own kick-off rather than a player of the field; `None` for others, and with a penalty.
+pub(super) fn turn(team: &Team, player: u8) -> Option<usize> {
+    let is_keeper = |number: u8| number == team.goalkeeper && taker(team) != Some(number);
+    let fit =
+        (1..).zip(&team.players).filter(|(number, player)| player.penalty == Penalty::None && !is_keeper(*number));
+    fit.map(|(number, _)| number).position(|number| number == player)
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::packet::PLAYERS;

@@ -22,6 +22,9 @@ pub struct Claiming {
     /// Further time for each player that is nearer: it may have claimed, and its message was lost.
     #[param(default = 0.4, range = 0.0..=2.0, unit = "s", step = 0.1)]
     pub precedence: f32,
+    /// With few messages: time in which the ball does not move after which the next player takes it, as if there were no striker.
+    #[param(default = 45.0, range = 5.0..=600.0, unit = "s", step = 5.0)]
+    pub rest: f32,
 }
 
 /// What a player knows of one that may be the striker, itself included.

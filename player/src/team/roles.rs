@@ -13,6 +13,9 @@ use crate::FIELD;
 use crate::referee::{GameController, Order};
 use crate::roles::{Falls, Whereabouts};
 
+/// Distance by which a ball that is played moves, m.
+const MOVED: f32 = 0.5;
+
 /// How long a player takes to the ball, and who defends.
 #[derive(Clone, Debug, PartialEq, Params)]
 pub struct Reach {
@@ -58,6 +61,8 @@ pub struct Roles {
     is_heard: bool,
     /// Whether messages are too rare to agree on a striker.
     is_scarce: bool,
+    /// Where the ball was last seen to move, m, field frame, and the time since then, s.
+    rested: (Vec2, f32),
     /// Whether the goalkeeper plays a ball near its goal.
     is_clearing: bool,
 }
@@ -73,6 +78,7 @@ impl Roles {
             time_to_ball: None,
             is_heard: true,
             is_scarce: false,
+            rested: (Vec2::ZERO, 0.0),
             is_clearing: false,
         }
     }
@@ -93,7 +99,9 @@ impl Roles {
         let is_playing = !matches!(game.order(), Order::Initial | Order::Penalized | Order::Finished);
         let is_fit = is_playing && !falls.is_down();
         if self.is_scarce {
-            self.election.appoint(is_fit && game.is_taker());
+            let rested = self.rest(game.order(), time.dt(), at);
+            let is_next = game.turn().is_some_and(|turn| rested >= turn as f32 * claiming.rest);
+            self.election.appoint(is_fit && is_next);
         } else {
             // A robot without a pose cannot send that it is the striker.
             let may_strike = is_fit && !game.is_goalkeeper() && (pose.is_some() || mates.strikers() == 0);
@@ -127,6 +135,15 @@ impl Roles {
         if is_last && is_needed { Role::Defender } else { Role::Supporter }
     }
 
+    /// Time in which nobody has moved the ball in the game, s.
+    fn rest(&mut self, order: Order, seconds: f32, ball: Option<Vec2>) -> f32 {
+        let (before, rested) = self.rested;
+        let moved = ball.filter(|ball| ball.distance(before) > MOVED);
+        let is_over = moved.is_some() || order != Order::Playing;
+        self.rested = (moved.unwrap_or(before), if is_over { 0.0 } else { rested + seconds });
+        self.rested.1
+    }
+
     fn clears(&self, reach: &Reach, ball: Vec2) -> bool {
         let goal = Vec2::new(-FIELD.field_corner().x, 0.0);
         let slack = if self.is_clearing { reach.clearing_slack } else { 0.0 };
@@ -134,7 +151,7 @@ impl Roles {
     }
 
     /// Sets whether the others would hear a claim, and whether messages are too rare to agree on a striker: then the player
-    /// that takes the kick-off is the striker, which each player knows from the packets.
+    /// that takes the kick-off is the striker, which each player knows from the packets, and the next one if nobody plays the ball.
     pub(super) const fn set_budget(&mut self, is_heard: bool, is_scarce: bool) {
         (self.is_heard, self.is_scarce) = (is_heard, is_scarce);
     }

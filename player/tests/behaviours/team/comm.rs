@@ -89,3 +89,16 @@ fn silent_and_penalized_mates_are_absent() {
     test.run_for(ms(20));
     assert_eq!(strikers(&test), 0, "it is penalized");
 }
+
+#[test]
+fn ball_that_nobody_plays_is_taken_without_messages() {
+    let mut test = player(playing(0), Some(Pose2::new(-2.0, 0.0, 0.0)));
+    let mut role_after = |ball, time| {
+        scene(&mut test).shows_ball(Vec2::X * ball);
+        test.run_for(ms(time));
+        test.tree().get::<Roles>().role()
+    };
+    assert_eq!(role_after(1.0, 44_000), Role::Defender, "player 1 is the striker");
+    assert_eq!(role_after(1.0, 2_000), Role::Striker);
+    assert_eq!(role_after(2.0, 100), Role::Defender);
+}
