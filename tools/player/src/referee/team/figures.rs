@@ -28,6 +28,8 @@ struct TeamFigures {
     /// Longest time with several strikers or none, s.
     longest_other_s: f64,
     falls_per_robot_minute: f64,
+    /// Faults that the robots have named although their joints and senses work.
+    false_faults: u32,
     collisions_per_robot_minute: f64,
     /// Those of them that were far from the ball.
     collisions_away_per_robot_minute: f64,
@@ -51,6 +53,7 @@ impl Figures {
             one_striker: all.striker_share(index),
             longest_other_s: all.longest_other[index] as f64 * 0.01,
             falls_per_robot_minute: all.per_robot_minute(all.falls[index]),
+            false_faults: all.faults[index],
             collisions_per_robot_minute: all.per_robot_minute(all.collisions[index]),
             collisions_away_per_robot_minute: all.per_robot_minute(all.collisions_away[index]),
             messages_per_half: mean(all.messages[index]),
@@ -82,6 +85,7 @@ impl TeamFigures {
         let text = format!("{share:.1} % of the time exactly one, at most {longest:.2} s without");
         console.print_row("striker", &text)?;
         console.print_row("falls", &format!("{:.3} per robot-minute", self.falls_per_robot_minute))?;
+        console.print_row("faults", &format!("{} named without a cause", self.false_faults))?;
         let (all, away) = (self.collisions_per_robot_minute, self.collisions_away_per_robot_minute);
         console.print_row("collisions", &format!("{all:.2} per robot-minute, {away:.2} far from the ball"))?;
         console.print_row("messages", &format!("{:.0} a half", self.messages_per_half))

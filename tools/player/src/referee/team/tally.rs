@@ -1,6 +1,8 @@
 //! What is counted in a half.
 
 use bica::Tree;
+use bica_motion::health::Fault;
+use bica_player::input::HealthMonitor;
 use bica_player::team::{Role, Roles};
 use bica_sim::match_field::MatchField;
 use bica_sim::referee::{Event, Referee};
@@ -27,6 +29,8 @@ pub(super) struct Tally {
     pub(super) own_goals: [u32; 2],
     pub(super) kicks: [u32; 2],
     pub(super) falls: [u32; 2],
+    /// Faults of joints and senses that the robots have named: in these worlds there are none.
+    pub(super) faults: [u32; 2],
     pub(super) collisions: [u32; 2],
     /// Those of them that were far from the ball.
     pub(super) collisions_away: [u32; 2],
@@ -42,6 +46,9 @@ pub(super) struct Tally {
     /// Events of each robot that were read.
     #[serde(skip)]
     read: Vec<usize>,
+    /// Whether each robot names a fault.
+    #[serde(skip)]
+    has_fault: Vec<bool>,
     /// Team that has touched the ball last.
     #[serde(skip)]
     last_touch: Option<usize>,
@@ -50,7 +57,7 @@ pub(super) struct Tally {
 impl Tally {
     /// Creates the counts of a field with a number of robots, `players` in each team.
     pub(super) fn new(players: usize, robots: usize) -> Self {
-        Self { players, read: vec![0; robots], ..Self::default() }
+        Self { players, read: vec![0; robots], has_fault: vec![false; robots], ..Self::default() }
     }
 
     /// Counts a cycle in the state playing.
@@ -63,6 +70,11 @@ impl Tally {
                 let is_away = matches!(timed.event, Event::Collision) && is_away(teams.field.truth(robot));
                 self.collisions_away[team] += u32::from(is_away);
             }
+        }
+        for (index, (player, had)) in teams.players.iter().zip(&mut self.has_fault).enumerate() {
+            let has = fault(player).is_some();
+            self.faults[index / self.players] += u32::from(has && !*had);
+            *had = has;
         }
         for (team, players) in teams.players.chunks(self.players).enumerate() {
             let is_striker = |player: &&_| role(player) == Role::Striker;
@@ -107,6 +119,7 @@ impl Tally {
             self.own_goals[team] += other.own_goals[team];
             self.kicks[team] += other.kicks[team];
             self.falls[team] += other.falls[team];
+            self.faults[team] += other.faults[team];
             self.collisions[team] += other.collisions[team];
             self.collisions_away[team] += other.collisions_away[team];
             self.messages[team] += other.messages[team];
@@ -131,6 +144,12 @@ impl Tally {
 /// Whether a robot is farther from the ball than one that plays it.
 fn is_away(truth: &Referee) -> bool {
     truth.robot().position.distance(truth.ball()) > AT_BALL
+}
+
+/// The fault that a robot names.
+fn fault(player: &super::player::Player<Radio>) -> Option<Fault> {
+    let health = player.forward().get::<HealthMonitor>();
+    health.fault().or(health.sense_fault())
 }
 
 fn role(player: &super::player::Player<Radio>) -> Role {
