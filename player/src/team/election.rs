@@ -23,7 +23,7 @@ pub struct Claiming {
     #[param(default = 0.4, range = 0.0..=2.0, unit = "s", step = 0.1)]
     pub precedence: f32,
     /// With few messages: time in which the ball does not move after which the next player takes it, as if there were no striker.
-    #[param(default = 45.0, range = 5.0..=600.0, unit = "s", step = 5.0)]
+    #[param(default = 90.0, range = 5.0..=600.0, unit = "s", step = 5.0)]
     pub rest: f32,
 }
 

@@ -98,7 +98,7 @@ fn ball_that_nobody_plays_is_taken_without_messages() {
         test.run_for(ms(time));
         test.tree().get::<Roles>().role()
     };
-    assert_eq!(role_after(1.0, 44_000), Role::Defender, "player 1 is the striker");
+    assert_eq!(role_after(1.0, 89_000), Role::Defender, "player 1 is the striker");
     assert_eq!(role_after(1.0, 2_000), Role::Striker);
     assert_eq!(role_after(2.0, 100), Role::Defender);
 }
