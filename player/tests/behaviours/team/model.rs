@@ -228,7 +228,7 @@ proptest! {
     }
 }
 
-/// The share was 0.89 while messages for claims were not kept, and 0.80 while all changes of a part were repeated, too.
+/// The share is 0.89 if a player takes over with its last message, and 0.88 if news take the messages that are kept for claims.
 #[test]
 fn claims_are_heard_with_a_budget_of_800() {
     let (mut right, mut counted) = (0, 0);
