@@ -21,8 +21,8 @@ use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 use figures::Figures;
 use measure::Times;
 
-/// Maximum number of repetitions while a budget is exceeded, unless more are requested. A further repetition can only
-/// lower the minima.
+/// Maximum number of repetitions while a budget is exceeded in a minority of the runs, unless more are requested. A
+/// further repetition can only lower the minima.
 const MOST_REPEATS: u32 = 15;
 
 /// Arguments of `cargo bench`.
@@ -43,7 +43,7 @@ pub(crate) struct BenchArgs {
     /// Longest duration of a run, in seconds of the world
     #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = seconds, allow_negative_numbers = true)]
     seconds: f64,
-    /// Repetitions of each run; up to 15 while a budget is exceeded
+    /// Repetitions of each run; up to 15 while few runs exceed a budget
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=1000))]
     repeats: u32,
     /// Print a line of JSON for each world on stdout; all other output goes to stderr
@@ -96,7 +96,7 @@ pub(crate) fn bench<R: Robot<Error: fmt::Display>>(
     Ok(if exceeded.is_empty() { Outcome::Success } else { Outcome::Unsuccessful })
 }
 
-/// Measures a world until no budget is exceeded or the maximum number of repetitions is reached.
+/// Measures a world until another repetition changes no finding or the maximum number of repetitions is reached.
 fn figures<R: Robot<Error: fmt::Display>>(
     world: &RegisteredWorld<R>,
     robots: Robots<R>,
@@ -121,7 +121,7 @@ fn figures<R: Robot<Error: fmt::Display>>(
         if !args.bench {
             figures.exceeded.clear();
         }
-        if repetition >= most || repetition >= args.repeats && figures.exceeded.is_empty() {
+        if repetition >= most || repetition >= args.repeats && figures.is_settled() {
             return Ok(figures);
         }
     }
