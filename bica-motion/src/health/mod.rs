@@ -10,11 +10,11 @@ mod senses;
 pub use fault::Fault;
 pub use senses::{Glimpse, Senses};
 
-use self::following::Following;
+use self::following::{Following, STILL};
 use self::motor_load::MotorLoad;
 use crate::joints::{Joint, Joints};
 use crate::kinematics::{centre_of_mass, sole};
-use crate::model::RobotModel;
+use crate::model::{Range, RobotModel};
 use crate::robot::{Inertial, Sensors};
 use crate::side::Side;
 
@@ -99,7 +99,7 @@ impl Health {
             inertial.or_else(|| self.check_feet(sensors, targets)).or(joint)
         } else {
             self.silent = [0; 2];
-            inertial
+            inertial.or(joint)
         };
         self.motor_load.step(self.model, sensors, upright);
         self.fault = self.fault.or(found);
@@ -138,14 +138,14 @@ impl Health {
         let watched = self.model.joints.iter().copied().filter(|&joint| follows(joint));
         watched.zip(&mut self.joints).fold(None, |found, (joint, following)| {
             let (target, angle) = (targets[joint], sensors.angles[joint]);
-            if !upright {
+            let Range { min, max } = self.model.limits[joint];
+            // The weight of a robot that lies may press a joint to the end of its range.
+            let is_pressed = !upright && (angle < min + STILL || angle > max - STILL);
+            if is_pressed || stiffness[joint] < FOLLOWING_STIFFNESS {
                 following.pause(angle);
                 return found;
             }
-            if stiffness[joint] < FOLLOWING_STIFFNESS {
-                *following = Following::at(angle);
-            }
-            let is_stuck = following.is_stuck(target, angle, is_head(joint));
+            let is_stuck = following.is_stuck(target, angle, is_head(joint), upright);
             found.or(is_stuck.then_some(Fault::Stuck(joint)))
         })
     }

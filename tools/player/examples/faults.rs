@@ -10,7 +10,7 @@ use bica_sim::setup::Frame;
 const GAMES: u64 = 10;
 
 /// Options of the world, one for each fault.
-const FAULTS: [&str; 14] = [
+const FAULTS: [&str; 17] = [
     "",
     "image=freeze",
     "image=dark",
@@ -22,7 +22,10 @@ const FAULTS: [&str; 14] = [
     "gyro=-0.1",
     "stuck=HeadYaw",
     "stuck=HeadPitch",
+    "stuck=LHipYawPitch",
+    "stuck=LHipRoll",
     "stuck=LKneePitch",
+    "stuck=RAnklePitch",
     "hot=LKneePitch",
     "button=8",
 ];
