@@ -30,8 +30,17 @@ fn options_set_up_the_start_and_faults_that_are_told() {
     assert!(ball(&printed).is_some_and(|ball| (ball["distance"].as_f64().unwrap() - 1.1).abs() < 0.2), "{printed}");
 }
 
+#[test]
+fn two_faults_at_once_are_both_reported() {
+    let faults = ["--option", "image=drop", "--option", "hot=LKneePitch", "--option", "from=1"];
+    let ran = run(&[&["--seconds", "5", "--size", "160x120", "--json"], &faults[..]].concat());
+    let both = "LKneePitch is too hot; the camera sends no images";
+    assert_eq!(ran.json()["fault"], both);
+    assert!(ran.stderr.contains(&format!("* fault: {both}")), "{}", ran.stderr);
+}
+
 /// Faults of senses and joints, as options of the world, and what the robot says.
-const FAULTS: [(&str, &str); 11] = [
+const FAULTS: [(&str, &str); 13] = [
     ("image=freeze", "the camera repeats the same image"),
     ("image=dark", "the camera's images are black"),
     ("image=bright", "the camera's images are white"),
@@ -41,6 +50,8 @@ const FAULTS: [(&str, &str); 11] = [
     ("gyro=-0.1", "the gyroscope measures a turn that the robot does not make"),
     ("stuck=HeadYaw", "HeadYaw does not follow its target"),
     ("stuck=HeadPitch", "HeadPitch does not follow its target"),
+    ("stuck=LHipRoll", "LHipRoll does not follow its target"),
+    ("stuck=RAnklePitch", "RAnklePitch does not follow its target"),
     ("stuck=LKneePitch", "LKneePitch does not follow its target"),
     ("hot=LKneePitch", "LKneePitch is too hot"),
 ];
