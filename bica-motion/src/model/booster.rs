@@ -29,7 +29,8 @@ macro_rules! each_joint {
 }
 pub(super) use each_joint;
 
-/// Soles whose slip hides an offset of the gyroscope: on the ground of the league's server a T1 turns by more than 0.2 rad/s beyond its legs.
+/// Soles whose slip hides an offset of the gyroscope: on the ground of the league's server a T1 turns by more than 0.2 rad/s beyond its
+/// legs.
 pub(super) const ODOMETRY: Calibration = Calibration { max_turn_difference: f32::INFINITY, ..Calibration::EXACT };
 
 /// Joints of a robot with a waist.

@@ -1,7 +1,7 @@
 //! The pictures of the documentation: `cargo test --manifest-path tools/jmanager/tests/browser/Cargo.toml --target-dir target/browser
 //! pictures -- --ignored`, after a release build of the programs and of the example `wall_follower`, and with
-//! `JMANAGER_PROFILE=release`. They are written beside the other screenshots, 1280 × 800 px; in docs/ they have 256 colours. Those of a trial
-//! and of a difference in the designer are `uses-dark-try` and `uses-dark-diff`.
+//! `JMANAGER_PROFILE=release`. They are written beside the other screenshots, 1280 × 800 px; in docs/ they have 256 colours. Those
+//! of a trial and of a difference in the designer are `uses-dark-try` and `uses-dark-diff`.
 
 use std::time::Duration;
 
