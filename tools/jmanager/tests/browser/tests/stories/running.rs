@@ -1,7 +1,8 @@
 //! From an empty canvas to a robot that runs the drawn machine: in a copy of the workspace, with the example `goalkeeper`.
 
+use std::collections::HashSet;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
@@ -18,7 +19,9 @@ fn copy() -> PathBuf {
     let folder = target().join("browser/workspace");
     // The results of earlier builds are kept, so only changed files are rebuilt.
     let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(repository("")).output().expect("git");
-    for name in String::from_utf8_lossy(&listed.stdout).split_terminator('\0') {
+    let listed = String::from_utf8_lossy(&listed.stdout);
+    remove_others(&folder, &listed.split_terminator('\0').map(|name| folder.join(name)).collect());
+    for name in listed.split_terminator('\0') {
         let (from, to) = (repository(name), folder.join(name));
         let text = fs::read(&from).expect("a file of the repository");
         if fs::read(&to).is_ok_and(|old| old == text) {
@@ -27,8 +30,19 @@ fn copy() -> PathBuf {
         fs::create_dir_all(to.parent().expect("a folder")).expect("a folder");
         fs::write(&to, text).expect("a copy");
     }
-    let _ = fs::remove_file(folder.join("examples/goalkeeper/src/patrol.rs"));
     folder
+}
+
+/// Removes files that are not listed from a copy: those of an earlier commit, or of an earlier run. The results of builds stay.
+fn remove_others(folder: &Path, listed: &HashSet<PathBuf>) {
+    for entry in fs::read_dir(folder).into_iter().flatten() {
+        let path = entry.expect("an entry of the copy").path();
+        if path.is_dir() && !path.ends_with("target") {
+            remove_others(&path, listed);
+        } else if path.is_file() && !listed.contains(&path) {
+            fs::remove_file(&path).expect("a file of the copy");
+        }
+    }
 }
 
 /// Adds a transition with a timer from a state, by keyboard.
