@@ -17,6 +17,7 @@ mod odometry;
 mod pose;
 mod quadratic_program;
 mod recovery;
+mod sense_faults;
 mod senses;
 mod simulated;
 mod tall;
