@@ -106,15 +106,16 @@ impl Drop for Played {
     }
 }
 
-/// Returns the base of free team ports, and a function that sends the message of another player, the striker, with a number.
-fn mate() -> (String, impl Fn(u32) + Send + 'static) {
+/// Returns the base of free team ports, and a function that sends the message of another player with a number; that of an even number
+/// says that it is the striker, that of an odd one that it is absent.
+fn mate() -> (String, impl Fn(u16) + Send + 'static) {
     const TEAM: u8 = 5;
     let port = free_port();
     let socket = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0)).expect("a free port");
-    let send = move |number: u32| {
-        let from = Identity { team: TEAM, player: 2 };
-        let (role, time_ms) = (Role::Striker, 1 + number);
-        let message = TeamMessage { from, time_ms, role, claim: 9, interval: 5.0, ..TeamMessage::default() };
+    let send = move |number: u16| {
+        let (from, time_ms) = (Identity { team: TEAM, player: 2 }, 1 + u32::from(number));
+        let role = if number.is_multiple_of(2) { Role::Striker } else { Role::Absent };
+        let message = TeamMessage { from, time_ms, role, claim: number, interval: 5.0, ..TeamMessage::default() };
         // Before the player listens, nobody receives it.
         let _ = socket.send_to(&message.encode(), (Ipv4Addr::LOCALHOST, port));
     };

@@ -4,7 +4,6 @@ use bica_app::{Console, Failure};
 use serde::Serialize;
 
 use super::tally::Tally;
-use crate::cli::Play;
 
 /// Figures of a series; those of the second team are left out if it is idle.
 #[derive(Debug, Serialize)]
@@ -37,15 +36,15 @@ struct TeamFigures {
 }
 
 impl Figures {
-    /// Computes the figures of the halves of a series.
-    pub(super) fn new(args: &Play, teams: [u8; 2], halves: Vec<Tally>) -> Self {
+    /// Computes the figures of the halves of a series with consecutive seeds. `teams` are those that play.
+    pub(super) fn new(first_seed: u64, teams: &[u8], halves: Vec<Tally>) -> Self {
         let all = halves.iter().fold(Tally::default(), |mut all, half| {
             all.add(half);
             all
         });
         let mean = |count: u32| f64::from(count) / halves.len().max(1) as f64;
-        let figures = |index: usize| TeamFigures {
-            team: teams[index],
+        let figures = |(index, &team): (usize, &u8)| TeamFigures {
+            team,
             goals_per_half: mean(all.goals[index]),
             own_goals: all.own_goals[index],
             kicks_per_half: mean(all.kicks[index]),
@@ -58,9 +57,8 @@ impl Figures {
             collisions_away_per_robot_minute: all.per_robot_minute(all.collisions_away[index]),
             messages_per_half: mean(all.messages[index]),
         };
-        let playing = if args.referee.idle { 1 } else { 2 };
-        let teams = (0..playing).map(figures).collect();
-        Self { schema: "bica-player/halves/1", first_seed: args.seed, teams, halves }
+        let teams = teams.iter().enumerate().map(figures).collect();
+        Self { schema: "bica-player/halves/1", first_seed, teams, halves }
     }
 
     /// Prints the figures.
@@ -89,5 +87,20 @@ impl TeamFigures {
         let (all, away) = (self.collisions_per_robot_minute, self.collisions_away_per_robot_minute);
         console.print_row("collisions", &format!("{all:.2} per robot-minute, {away:.2} far from the ball"))?;
         console.print_row("messages", &format!("{:.0} a half", self.messages_per_half))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faults_of_all_halves_are_in_the_json() {
+        let mut half = Tally::new(3, 6);
+        half.faults = [1, 2];
+        let json = serde_json::to_value(Figures::new(0, &[5, 23], vec![half.clone(), half])).expect("JSON");
+        let faults = |team: usize| json["teams"][team]["false_faults"].as_u64();
+        assert_eq!((faults(0), faults(1)), (Some(2), Some(4)));
+        assert_eq!(json["halves"][1]["faults"], serde_json::json!([1, 2]));
     }
 }

@@ -25,7 +25,8 @@ pub(super) fn run(args: &Play, teams: [u8; 2], games: u32) -> Result<Outcome, Fa
     })?;
     // Halves that Ctrl-C has cut short do not count.
     let halves: Vec<Tally> = halves.into_iter().flatten().collect();
-    let figures = Figures::new(args, teams, halves);
+    let playing = if args.referee.idle { &teams[..1] } else { &teams };
+    let figures = Figures::new(args.seed, playing, halves);
     figures.print(console)?;
     console.print_json(&figures)?;
     Ok(if interrupt::requested() { Outcome::Interrupted } else { Outcome::Success })

@@ -71,17 +71,21 @@ impl Tally {
                 self.collisions_away[team] += u32::from(is_away);
             }
         }
-        for (index, (player, had)) in teams.players.iter().zip(&mut self.has_fault).enumerate() {
-            let has = fault(player).is_some();
-            self.faults[index / self.players] += u32::from(has && !*had);
-            *had = has;
-        }
+        self.count_faults(teams.players.iter().map(|player| fault(player).is_some()));
         for (team, players) in teams.players.chunks(self.players).enumerate() {
             let is_striker = |player: &&_| role(player) == Role::Striker;
             let is_one = players.iter().filter(is_striker).count() == 1;
             self.one_striker[team] += u64::from(is_one);
             self.other[team] = if is_one { 0 } else { self.other[team] + 1 };
             self.longest_other[team] = self.longest_other[team].max(self.other[team]);
+        }
+    }
+
+    /// Counts the faults that begin, by whether each robot names one.
+    fn count_faults(&mut self, named: impl Iterator<Item = bool>) {
+        for (index, (has, had)) in named.zip(&mut self.has_fault).enumerate() {
+            self.faults[index / self.players] += u32::from(has && !*had);
+            *had = has;
         }
     }
 
@@ -178,6 +182,15 @@ mod tests {
             tally.event(team, is_first, &event);
         }
         assert_eq!((tally.goals, tally.own_goals), ([2, 1], [0, 1]));
+    }
+
+    #[test]
+    fn fault_counts_once_from_its_begin_to_its_end() {
+        let mut half = Tally::new(2, 4);
+        for named in [[0, 0, 0, 0], [1, 0, 0, 1], [1, 1, 0, 1], [0, 1, 0, 0], [1, 1, 0, 0]] {
+            half.count_faults(named.into_iter().map(|fault| fault == 1));
+        }
+        assert_eq!(half.faults, [3, 1]);
     }
 
     #[test]
