@@ -253,5 +253,5 @@ const offered = (shown) => shown.find('Session') >= 0 && shown.find('ExerciseChe
 
 export default {
   panels: { therapist: { title: 'Session', view: Therapist, offered } },
-  presets: { therapist: { title: 'Therapist', needs: 'therapist', first: true, plain: true, panels: () => [['therapist', {}]] } },
+  presets: { therapist: { title: 'Therapist', needs: 'therapist', first: 0, plain: true, panels: () => [['therapist', {}]] } },
 };

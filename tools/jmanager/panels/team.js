@@ -6,16 +6,17 @@ const NAME = '{GameController.me.team}-{GameController.me.player}';
 const GROUP = 'GameController.me.team';
 const COLUMNS = ['GameController.state', 'GameController.order', 'GameController.penalty', 'GameController.message_budget', 'Roles.role', 'Roles.time_to_ball', 'Roles.claim', 'TeamComm.intention', 'TeamBall.own_age', 'TeamBall.age'];
 
-const map = { shown: ['FieldPose.field_pose', 'TeamBall.own_position', 'TeamBall.fused'], label: `${NAME} {Roles.role} · {TeamComm.intention}`, group: GROUP };
-const table = { rows: COLUMNS, sessions: true, label: NAME, group: GROUP };
+const map = { shown: ['FieldPose.field_pose', 'TeamBall.own_position', 'TeamBall.fused'], label: `${NAME} {Roles.role} · {TeamComm.intention}`, short: '{GameController.me.player}', group: GROUP };
+const table = { rows: COLUMNS, sessions: true, group: GROUP };
 
 export default {
+  label: NAME,
   panels: {},
   lastPresets: {
     team: {
       title: 'Team',
       needs: 'component:TeamComm',
-      several: true,
+      first: 2,
       panels: (width, height) => [
         ['map', { params: map }],
         ['table:1', { ...(width < 1400 ? below('map', height * 0.34) : right('map', width * 0.52)), title: 'Players', params: table }],

@@ -4,6 +4,7 @@ mod cli;
 mod colours;
 mod images;
 mod motions;
+mod referee;
 mod run;
 mod team;
 mod world;
@@ -55,6 +56,7 @@ pub fn program(options: SoccerOptions) -> Program {
             Box::new(colours::boundary::Panel),
             Box::new(motions::Motions::new()),
             Box::new(team::Team),
+            Box::new(referee::Referee),
         ],
     }
 }

@@ -9,6 +9,7 @@ import * as dock from './lib/dock.js';
 import { bind, restrict } from './lib/keys.js';
 import { follow, parametersOf, writeAddress } from './lib/links.js';
 import './lib/messages.js';
+import './lib/names.js';
 import { savePicture } from './lib/picture.js';
 import { playOrPause } from './lib/playback.js';
 import { PRESETS } from './lib/presets.js';
@@ -49,21 +50,24 @@ function startDock(element) {
   started = true;
   dock.start(element);
   if (PRESETS[wanted.layout]) dock.preset(wanted.layout);
-  else if (!dock.restore()) first();
+  else first(dock.restore());
 }
 
-/** The layout of a first visit, which an extension may choose: for the tree that is shown first. */
-function first() {
-  const name = Object.keys(PRESETS).find((one) => PRESETS[one].first) ?? 'overview';
-  dock.preset(name);
+/** The layout of a first visit to a tree, which an extension may choose. `before` is the tree of the last visit; null without one. */
+function first(before) {
+  if (before === null) dock.preset(dock.firstPreset(0) ?? 'overview');
+  // An address with a session is that of a page that was loaded again.
+  else if (wanted.session) return;
+  const name = dock.layoutName.value;
   const end = effect(() => {
-    if (!store.session.value?.description.value) return;
+    const tree = store.session.value?.description.value?.name;
+    if (tree === undefined) return;
     setTimeout(() => {
       end();
-      if (dock.layoutName.value !== name) return;
-      const several = store.sessions.value.size > 1 && dock.presets().find(([, one]) => one.several);
-      if (several) dock.preset(several[0]);
-      else dock.refit(name);
+      const chosen = dock.firstPreset(store.sessions.value.size);
+      if (dock.layoutName.value !== name || tree === before) return;
+      if (chosen) dock.preset(chosen);
+      else if (before === null) dock.refit(name);
     });
   });
 }
@@ -126,7 +130,7 @@ follow();
 effect(writeAddress);
 
 effect(() => {
-  const name = store.session.value?.info.value.name;
+  const name = store.session.value?.title;
   document.title = name ? `${name} · JManager` : 'JManager';
 });
 

@@ -11,7 +11,8 @@ const lost = (text) => html`<div class="banner lost" role="alert">${text}</div>`
 
 export function Banner() {
   if (link.value === 'lost') return lost('The connection to the program is lost. It is being restored; what you operated has ended. If the program was started again, open the new address that it printed.');
-  const own = store.session.value?.info.value;
+  const shown = store.session.value;
+  const own = shown && { ...shown.info.value, name: shown.title };
   if (!own || own.connection === 'connecting') return null;
   const { connection, note, result, kind } = own;
   const plain = dock.isPlain();

@@ -21,14 +21,14 @@ function Sessions() {
   const all = [...store.sessions.value.values()];
   const shown = store.session.value?.info.value;
   // In a wide window two sessions stand in the bar.
-  return html`<${Menu} inline=${all.length <= 2 && 'sessions'} label=${shown ? html`<${State} ...${shown} />` : 'No session'} title="Sessions">
+  return html`<${Menu} inline=${all.length <= 2 && 'sessions'} label=${shown ? html`<${State} ...${shown} name=${store.session.value.title} />` : 'No session'} title="Sessions">
     ${all.map((one) => {
       const info = one.info.value;
       const chosen = one.id === store.current.value;
       return html`<span key=${one.id} class=${`session ${chosen ? 'chosen' : ''}`}>
-        <button class="item" aria-pressed=${chosen} title=${info.note || info.name} onClick=${() => store.show(one.id)}><${State} ...${info} /></button>
-        ${!chosen && html`<${Beside} ...${{ one, name: info.name }} />`}
-        ${chosen && all.length > 1 && html`<button class="close" aria-label=${`Close ${info.name}`} onClick=${() => store.act('close')}>×</button>`}
+        <button class="item" aria-pressed=${chosen} title=${info.note || info.name} onClick=${() => store.show(one.id)}><${State} ...${info} name=${one.title} /></button>
+        ${!chosen && html`<${Beside} ...${{ one, name: one.title }} />`}
+        ${chosen && all.length > 1 && html`<button class="close" aria-label=${`Close ${one.title}`} onClick=${() => store.act('close')}>×</button>`}
       </span>`;
     })}
     <${Add} />

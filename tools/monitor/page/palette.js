@@ -48,7 +48,7 @@ function ofComponents() {
 }
 
 function everything() {
-  const sessions = [...store.sessions.value.values()].map(({ id, info }) => ({ kind: 'session', name: info.value.name, place: info.value.result, value: info.value.connection, run: () => store.show(id) }));
+  const sessions = [...store.sessions.value.values()].map(({ id, info, title }) => ({ kind: 'session', name: title, place: info.value.result, value: info.value.connection, run: () => store.show(id) }));
   const layouts = dock.presets().map(([name, { title }, key]) => ({ kind: 'layout', name: title, place: '', value: `key ${key}`, run: () => dock.preset(name) }));
   const panels = Object.entries(PANELS).map(([name, { title }]) => ({ kind: 'panel', name: title, place: '', value: dock.opened.value.has(name) ? 'open' : '', run: () => dock.open(name) }));
   const watched = watches.value.map(({ text }) => ({ kind: 'watch', name: text, place: '', value: '', run: () => { draft.value = text; dock.open('watches'); } }));

@@ -45,11 +45,11 @@ const presses = { onPointerDown: (event) => event.button === 0 && press(), onCli
 
 function Stop() {
   if (!isStoppable.value) return null;
-  const { name, control } = session.value.info.value;
+  const { title, info: { value: { control } } } = session.value;
   const isNews = pressed.value?.of === session.value && (pressed.value.state !== 'done' || !['yours', 'other_page', 'other_monitor'].includes(control));
   const last = isNews ? pressed.value : null;
   const lost = warning();
-  const text = lost ?? (last?.text || (sessions.value.size > 1 ? `stops ${name}` : ''));
+  const text = lost ?? (last?.text || (sessions.value.size > 1 ? `stops ${title}` : ''));
   return html`<button class=${lost ? 'lost' : ''} aria-label="STOP" title="Stops the robot, whoever operates it" ...${presses}>STOP</button>
     <span role=${lost || last?.state === 'failed' ? 'alert' : 'status'}>${text}</span>`;
 }

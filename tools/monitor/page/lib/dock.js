@@ -233,11 +233,15 @@ const saveSoon = () => { saving ??= setTimeout(save, 500); };
 function save() {
   clearTimeout(saving);
   saving = null;
-  memory.write({ ...layout(), name: layoutName.peek() });
+  const tree = session.peek()?.description.peek()?.name ?? memory.read()?.tree;
+  memory.write({ ...layout(), name: layoutName.peek(), tree });
 }
 
-/** Restores the layout of the last visit, which stays plain; returns whether there was one. */
+/** Restores the layout of the last visit, which stays plain; returns the name of the tree that it showed, null without one. */
 export function restore() {
   const data = memory.read();
-  return data !== null && applyLayout(data, PRESETS[data.name]?.plain ? data.name : 'last');
+  return data !== null && applyLayout(data, PRESETS[data.name]?.plain ? data.name : 'last') ? data.tree ?? '' : null;
 }
+
+/** The preset of a first visit with a number of sessions of which the trees are known; undefined if no extension has one. */
+export const firstPreset = (known) => presets().findLast(([, { first }]) => first <= known)?.[0];

@@ -16,11 +16,13 @@ export function shownText(of, name) {
   return value === null || value === undefined ? '' : text(value);
 }
 
-/** A label with its values. A session without all of them has its own name. */
-export function labelOf(of, label) {
-  const known = [...label.matchAll(PARTS)].every(([, name]) => shownText(of, name));
-  return known ? label.replace(PARTS, (_, name) => shownText(of, name)) : of.info.value.name;
-}
+const partsOf = (label) => [...label.matchAll(PARTS)].map(([, name]) => name);
+
+/** A label with its values; empty for a session without all of them. */
+export const labelOf = (of, label) => (partsOf(label).every((name) => shownText(of, name)) ? label.replace(PARTS, (_, name) => shownText(of, name)) : '');
+
+/** The outputs of labels, as a page watches them. */
+export const placesOf = (of, labels) => labels.flatMap(partsOf).flatMap((name) => resolved(of, name)?.inputs ?? []).map(({ place }) => [...place, 10]);
 
 const CURVES = [0, 6, 2, 5];
 
@@ -32,13 +34,12 @@ export function groupsOf(all, name) {
 
 /** Watches the outputs of labels, and the one that names the group, of all sessions. */
 export function useLabels(all, [...labels], group, visible) {
-  const names = [...labels.flatMap((label) => [...label.matchAll(PARTS)].map(([, name]) => name)), ...(group ? [group] : [])];
+  const named = group ? [...labels, `{${group}}`] : labels;
   useEffect(() => {
-    if (!visible.value || names.length === 0) return undefined;
-    const places = (of) => names.flatMap((name) => resolved(of, name)?.inputs ?? []).map(({ place }) => [...place, 10]);
-    const ends = all.map((of) => watch({ info: places(of) }, of));
+    if (!visible.value || named.length === 0) return undefined;
+    const ends = all.map((of) => watch({ info: placesOf(of, named) }, of));
     return () => ends.forEach((end) => end());
-  }, [visible.value, all.map(({ id }) => id).join(), names.join()]);
+  }, [visible.value, all.map(({ id }) => id).join(), named.join()]);
 }
 
 /** Shows all sessions with the tree of the chosen one beside it, also those that come later. One that somebody puts away stays away. */

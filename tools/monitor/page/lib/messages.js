@@ -12,10 +12,10 @@ const PROTOCOL = 1;
 const ENDS = { other_page: 'another page has taken control', other_monitor: 'another monitor has taken control', free: 'the log says why; holds, rates and modulations have ended' };
 
 /** Reports who operates now. The server first ends this page's control, and then gives it to another page. */
-function controlEnded({ id, info }) {
+function controlEnded({ id, info, title }) {
   if (leaving.delete(id)) return;
   setTimeout(() => {
-    if (info.value.control !== 'yours') notify('error', `you no longer operate ${info.value.name}`, ENDS[info.value.control]);
+    if (info.value.control !== 'yours') notify('error', `you no longer operate ${title}`, ENDS[info.value.control]);
   }, 500);
 }
 

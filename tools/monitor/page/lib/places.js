@@ -12,7 +12,7 @@ const LOWER = /^(timeline|plot|watches|log|latency|code|inspector)/;
 export function narrowed(panels) {
   const [upper, lower] = [false, true].map((isLower) => panels.filter(([id]) => LOWER.test(id) === isLower));
   if (lower.length === 0 && upper.length > 1) lower.push(...upper.splice(Math.ceil(upper.length / 2)));
-  const group = (all, where) => all.map(([id, { params }], index) => [id, { ...(index === 0 ? where : within(all[0][0])), params }]);
+  const group = (all, where) => all.map(([id, { params, title }], index) => [id, { ...(index === 0 ? where : within(all[0][0])), params, title }]);
   return [...group(upper, {}), ...group(lower, below(upper[0]?.[0], 300))];
 }
 

@@ -20,7 +20,7 @@ export function curvesOf(shown, names) {
 }
 
 /** A curve's name, with its session if that is not the chosen one. */
-export const titleOf = ({ name, of, beside }) => (beside === undefined ? name : `${name} · ${of.info.value.name}`);
+export const titleOf = ({ name, of, beside }) => (beside === undefined ? name : `${name} · ${of.title}`);
 
 /** Reads the signals that change with the samples of curves. */
 export function readVersions(curves) {

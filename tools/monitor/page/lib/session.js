@@ -102,6 +102,8 @@ export class Session {
   constructor(info) {
     this.id = info.id;
     this.info = signal(info);
+    /** What its outputs name it (lib/names.js); empty before they are known. */
+    this.label = signal('');
     this.description = signal(null);
     /** Kind of each component, by which it is coloured; none of a tree that is too large to draw. */
     this.kinds = signal([]);
@@ -140,7 +142,13 @@ export class Session {
     this.incoming = [];
   }
 
+  /** What the page calls it. A link has the name in `info`. */
+  get title() {
+    return this.label.value || this.info.value.name;
+  }
+
   describe(description, kinds) {
+    this.label.value = '';
     [this.scenery.value, this.cameras.value] = [[], []];
     const components = description.components;
     this.incoming = components.map(() => []);

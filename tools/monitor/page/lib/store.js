@@ -172,7 +172,7 @@ export function watchAnew() {
   watchSoon();
 }
 
-/** What is watched of a session; nothing of one that is not shown. */
+/** What is watched of a session; of one that is not shown, what names it. */
 function watched(of) {
   const all = wishesOf(of);
   return {
@@ -190,7 +190,7 @@ function sendWatch() {
   let isNew = false;
   for (const of of sessions.value.values()) {
     const text = JSON.stringify(watched(of));
-    if (!of.description.value || (!isShown(of) && !sent.has(of.id)) || sent.get(of.id) === text) continue;
+    if (!of.description.value || (!isShown(of) && !sent.has(of.id) && wishesOf(of).length === 0) || sent.get(of.id) === text) continue;
     sent.set(of.id, text);
     ask('watch', { session: of.id, watch: JSON.parse(text) });
     isNew = true;

@@ -12,7 +12,7 @@ import { Bar, Empty, Menu, Toggle } from '../lib/ui.js';
 import { ActionsMenu, onGround, useActions } from './actions.js';
 import { keyOf, layersOf, sourceOf, toViewBeside, toViewOf, useTracks } from './map/layers.js';
 import { useBody } from './map/body.js';
-import { drawLabels } from './map/labels.js';
+import { drawLabels, written } from './map/labels.js';
 import { drawLegend } from './map/legend.js';
 import { useDrag } from './map/place.js';
 import { Space, calibrations, framesOf, viewsOf } from './map/space.js';
@@ -26,10 +26,10 @@ export const hasMap = (shown) => Boolean(shown?.description.value) && (shown.inf
 
 /**
  * `params`: whether it is `deep`; and of robots of a group the outputs that are `shown` at first, of which the first one is their place, a `label`
- * (lib/group.js), and the output that names the `group`, which has a colour.
+ * (lib/group.js), a `short` one for a map with little room, and the output that names the `group`, which has a colour.
  */
 export function GroundMap({ visible, params, remember }) {
-  const { shown: first, group, label } = params;
+  const { shown: first, group, label, short = label } = params;
   const shown = session.value;
   const description = shown?.description.value;
   const own = useMemo(() => description && { ...sourceOf(shown), shift: 0 }, [shown, description]);
@@ -39,7 +39,7 @@ export function GroundMap({ visible, params, remember }) {
   const cameras = useMemo(() => calibrations(description), [description]);
   const deep = useSignal(params.deep ?? false);
   const body = useBody(shown, description, visible.value && deep.value);
-  useLabels(sources.map((source) => source.shown), label ? [label] : [], group, visible);
+  useLabels(sources.map((source) => source.shown), label ? [label, short] : [], group, visible);
   const truthShown = useSignal(true);
   const sceneryShown = useSignal(true);
   const turned = useSignal(false);
@@ -109,7 +109,7 @@ export function GroundMap({ visible, params, remember }) {
     const write = (source, toFrame) => {
       const pose = source.outputs.find((output) => keyOf(output) === first?.[0]);
       const [matrix, at] = label && pose ? [toFrame(pose.info.frame), source.read(pose)] : [];
-      if (matrix && at) labels.push({ text: labelOf(source.shown, label), colour: groupOf(source) ?? css('--dim'), point: applied(matrix, [at.x, at.y]) });
+      if (matrix && at) labels.push({ full: labelOf(source.shown, label) || source.shown.title, short: labelOf(source.shown, short) || source.shown.title, colour: groupOf(source) ?? css('--dim'), point: applied(matrix, [at.x, at.y]) });
     };
     const drawn = others.map((source) => {
       const [toFrame, group] = [toViewBeside(source, now, view), groupOf(source)];
@@ -131,7 +131,7 @@ export function GroundMap({ visible, params, remember }) {
     for (const trail of trails(all)) for (const part of trail.parts) drawPart(context, map, part, IDENTITY, trail.style);
     for (const { parts, matrix, style } of all) for (const part of parts) drawPart(context, map, part, matrix, style);
     if (dragged.value) drawPart(context, map, { dots: [dragged.value] }, IDENTITY, { colour: css('--truth') });
-    drawLabels(context, labels.map(({ point: [x, y], ...rest }) => ({ ...rest, at: [map.x(x), map.y(y)] })), width, height - seen.low);
+    drawLabels(context, written(labels, map.area).map(({ point: [x, y], ...rest }) => ({ ...rest, at: [map.x(x), map.y(y)] })), width, height - seen.low);
     const low = legend(context, width, height, found, stated, groups);
     // The map is above its legend. It does not move when an output is missing for a while.
     if (seen.width !== width) [seen.width, seen.low] = [width, 0];
@@ -143,7 +143,7 @@ export function GroundMap({ visible, params, remember }) {
   const legend = (context, width, height, found, stated, groups) => {
     const drawn = new Map(groups ? [...groups].map(([value, colour]) => [`${words(group.split('.').at(-1))} ${value}`, colour]) : outputs.filter((_, number) => found[number].parts.length > 0).map(({ component, name }) => [name, colour(component)]));
     if (stated.length > 0) drawn.set('truth (dashed)', css('--truth'));
-    if (!groups) for (const { shown: of, beside } of others) drawn.set(of.info.value.name, besideColour(beside));
+    if (!groups) for (const { shown: of, beside } of others) drawn.set(of.title, besideColour(beside));
     return drawLegend(context, width, height, [...drawn]);
   };
   /** The trails of layers that have one, at the newest time, as layers. */
@@ -195,7 +195,7 @@ function Where({ place, frame, root, truth, others }) {
   const away = above?.root === root ? [`${apart(times(above.matrix, matrixOf(stated.value)), matrix)} from the truth`] : [];
   const between = others.flatMap((other) => {
     const { matrix: there, root: top } = other.place()(frame);
-    return top === root ? [`${apart(there, matrix)} from ${other.shown.info.value.name}`] : [];
+    return top === root ? [`${apart(there, matrix)} from ${other.shown.title}`] : [];
   });
   return [`${frame} in ${root} · ${number(matrix[3])}, ${number(matrix[7])} m · ${degrees(headingOf(matrix))}°`, ...between, ...away, ...notes].join(' · ');
 }
@@ -217,6 +217,7 @@ function mapOf([left, bottom, right, top], width, height, turned) {
   const [sign, middleX, middleY] = [turned ? -1 : 1, (left + right) / 2, (bottom + top) / 2];
   return {
     scale,
+    area: scale * (right - left) * scale * (top - bottom),
     x: (x) => width / 2 + sign * (x - middleX) * scale,
     y: (y) => height / 2 - sign * (y - middleY) * scale,
     /** The position, m, of a point of the canvas. */

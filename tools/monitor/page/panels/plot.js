@@ -94,7 +94,7 @@ function Curve({ name, index, shown, beside, remove }) {
   };
   return html`<span class="curve" role="listitem"><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(index); }}></i>${name}
     <b>${curve ? number(valueNow(shown, curve) ?? (curve.place ? text(valueAt(now, curve.path)) : null)) : '–'}</b> <span class="unit">${curve?.unit?.includes(',') ? '' : curve?.unit ?? ''}</span>
-    ${beside.map((other) => html`<b title=${other.of.info.value.name} ref=${(one) => { if (one) one.style.color = besideColour(other.beside); }}>${number(valueNow(other.of, other))}</b>`)}<button aria-label=${`Watch ${name}`} title="Watch this curve" onClick=${watch}>▲</button><button aria-label=${`Remove ${name}`} onClick=${remove}>×</button></span>`;
+    ${beside.map((other) => html`<b title=${other.of.title} ref=${(one) => { if (one) one.style.color = besideColour(other.beside); }}>${number(valueNow(other.of, other))}</b>`)}<button aria-label=${`Watch ${name}`} title="Watch this curve" onClick=${watch}>▲</button><button aria-label=${`Remove ${name}`} onClick=${remove}>×</button></span>`;
 }
 
 /** Times, s, and values of curves in an interval, with some more at both ends. */

@@ -99,9 +99,9 @@ function Compare() {
   // The two that were opened last, unless others are chosen.
   const [one, other] = ids.slice(-2).map((id, at) => (ids.includes(chosen.value[at]) ? chosen.value[at] : id));
   const unread = recordings.find(({ id, info }) => (id === one || id === other) && info.value.connection === 'connecting');
-  const title = one === other ? 'Choose two recordings' : unread ? `${unread.info.value.name} is still being read or run again` : '';
+  const title = one === other ? 'Choose two recordings' : unread ? `${unread.title} is still being read or run again` : '';
   const pick = (at, label) => html`<select aria-label=${label} onChange=${(event) => { [chosen.value, result.value] = [[one, other].with(at, Number(event.target.value)), null]; }}>
-    ${recordings.map((of) => html`<option value=${of.id} selected=${of.id === [one, other][at]}>${of.info.value.name}</option>`)}</select>`;
+    ${recordings.map((of) => html`<option value=${of.id} selected=${of.id === [one, other][at]}>${of.title}</option>`)}</select>`;
   const compare = async () => {
     busy.value = true;
     result.value = (await ask('compare', { session: one, other })) ?? null;
@@ -117,6 +117,6 @@ function Compare() {
   return html`<section aria-label="Compare"><h3>Compare</h3><div class="join">${pick(0, 'First recording')}${pick(1, 'Second recording')}<button disabled=${title !== '' || busy.value} title=${title} onClick=${compare}>${busy.value ? 'Comparing…' : 'Compare'}</button></div>
     <p class="dim">${title || 'States the first difference, and the decisions that differ'}.</p>
     ${result.value && (equal ? html`<p class="yes">${copies ? 'They are copies of one recording.' : 'They are equal.'}</p>` : html`<p><b class="warn">First difference</b> in cycle ${cycle}: ${sentence(text)} <button class="small" onClick=${() => go(first)}>Show both</button></p>
-      ${decisions.length > 0 && html`<table class="stats" aria-label="Decisions that differ"><thead><tr><th>Time</th><th>Component</th><th>${recordings.find(({ id }) => id === one).info.value.name}</th><th>${recordings.find(({ id }) => id === other).info.value.name}</th></tr></thead>
+      ${decisions.length > 0 && html`<table class="stats" aria-label="Decisions that differ"><thead><tr><th>Time</th><th>Component</th><th>${recordings.find(({ id }) => id === one).title}</th><th>${recordings.find(({ id }) => id === other).title}</th></tr></thead>
         <tbody>${decisions.slice(0, DECISIONS).map(({ t_ms: at, component, recorded, repeated }) => html`<tr><td><button class="time" aria-label=${`Show both at ${time(at * 1000)}`} onClick=${() => go(at * 1000 + 999)}>${time(at * 1000)}</button></td><td>${component}</td><td>${recorded}</td><td>${repeated}</td></tr>`)}</tbody></table>`}`)}</section>`;
 }

@@ -4,7 +4,7 @@ import { html, untracked, useEffect, useSignal } from '../lib/dom.js';
 import { shownTime } from '../lib/axis.js';
 import { number, text, time, valueAt, words } from '../lib/format.js';
 import { valueNow } from '../lib/curves.js';
-import { groupsOf, labelOf, shownText, useAllBeside, useLabels } from '../lib/group.js';
+import { groupsOf, shownText, useAllBeside, useLabels } from '../lib/group.js';
 import { curvesOf, faultOf, readVersions, samplesAt, titleOf, useCurves } from '../lib/series.js';
 import { span, statistics } from '../lib/span.js';
 import { companions, seek, session, show, visibleRange } from '../lib/store.js';
@@ -17,8 +17,8 @@ const ROWS = 200;
 const UPDATE_MS = 200;
 
 /**
- * `params`: the `rows`, whether they are a `history`, or the columns of a table of `sessions`; of that one, a `label` and the output that
- * names the `group` (lib/group.js).
+ * `params`: the `rows`, whether they are a `history`, or the columns of a table of `sessions`; of that one, the output that names the
+ * `group` (lib/group.js).
  */
 export function Table({ visible, params, remember }) {
   const names = useSignal(params.rows ?? []);
@@ -62,7 +62,7 @@ export function Table({ visible, params, remember }) {
       <${Toggle} on=${turned.value} label="Sessions" title="A row for each session: all with this tree are shown beside the chosen one" onChange=${(on) => { [turned.value, history.value] = [on, on ? false : history.value]; keep(names.value); }} /><//>
     ${own.length === 0
       ? html`<${Empty} what=${names.value.length > 0 ? 'This tree has none of these outputs' : 'No output yet'} help="Drag an output from a component tab onto this panel, or name one, or a component, above." />`
-      : html`<div class="log" tabindex="0" role="group" aria-label="Listed outputs">${visible.value && (turned.value ? html`<${Sessions} ...${{ own, beside, visible }} label=${params.label} group=${params.group} />` : history.value ? html`<${History} curves=${[...own, ...beside]} />` : html`<${Values} ...${{ own, beside, remove }} />`)}</div>`}
+      : html`<div class="log" tabindex="0" role="group" aria-label="Listed outputs">${visible.value && (turned.value ? html`<${Sessions} ...${{ own, beside, visible }} group=${params.group} />` : history.value ? html`<${History} curves=${[...own, ...beside]} />` : html`<${Values} ...${{ own, beside, remove }} />`)}</div>`}
   </div>`;
 }
 
@@ -72,7 +72,7 @@ function shownValue(curve) {
   return value === null && curve.place ? text(valueAt(curve.of.output(...curve.place).now.value?.value, curve.path)) : number(value);
 }
 
-const Session = ({ curve: { of, beside } }) => html`<th class="n" scope="col" ref=${(head) => { if (head) head.style.color = beside === undefined ? '' : besideColour(beside); }}>${of.info.value.name}</th>`;
+const Session = ({ curve: { of, beside } }) => html`<th class="n" scope="col" ref=${(head) => { if (head) head.style.color = beside === undefined ? '' : besideColour(beside); }}>${of.title}</th>`;
 
 function Values({ own, beside, remove }) {
   readVersions(own);
@@ -88,9 +88,9 @@ function Values({ own, beside, remove }) {
 }
 
 /** A row for each session, whose name chooses it, and a column for each output. */
-function Sessions({ own, beside, visible, label = '', group }) {
+function Sessions({ own, beside, visible, group }) {
   const all = [session.value, ...companions.value.map(({ of }) => of)];
-  useLabels(all, [label], group, visible);
+  useLabels(all, [], group, visible);
   const updated = useSignal(0);
   useEffect(() => {
     const timer = setInterval(() => { updated.value += 1; }, UPDATE_MS);
@@ -101,7 +101,7 @@ function Sessions({ own, beside, visible, label = '', group }) {
   const rows = untracked(() => {
     const colours = group && groupsOf(all, group);
     const cell = (of, { name }) => [...own, ...beside].filter((one) => one.of === of && one.name === name).map(shownValue);
-    const row = (of) => ({ of, name: label ? labelOf(of, label) : of.info.value.name, colour: colours?.get(shownText(of, group)), cells: own.map((curve) => cell(of, curve)) });
+    const row = (of) => ({ of, name: of.title, colour: colours?.get(shownText(of, group)), cells: own.map((curve) => cell(of, curve)) });
     return all.map(row).sort((one, other) => one.name.localeCompare(other.name, 'en', { numeric: true }));
   });
   const columns = own.map(({ name, unit }) => ({ name, unit, parts: name.match(/^(\w+)\.(.+)$/u) ?? [null, '', name] }));
@@ -109,7 +109,7 @@ function Sessions({ own, beside, visible, label = '', group }) {
   const components = columns.reduce((all, { parts: [, of] }) => (all.at(-1)?.of === of ? [...all.slice(0, -1), { of, span: all.at(-1).span + 1 }] : [...all, { of, span: 1 }]), []);
   return html`<table class="stats values group" aria-label="Sessions"><thead><tr><td></td>${components.map(({ of, span }) => html`<th scope="colgroup" colspan=${span}>${of}</th>`)}</tr>
       <tr><th scope="col">session</th>${columns.map(({ name, unit, parts }) => html`<th key=${name} scope="col" title=${name}>${words(parts[2])}${unit && html` <span class="unit">${unit}</span>`}</th>`)}</tr></thead>
-    <tbody>${rows.map(({ of, name, colour, cells }) => html`<tr key=${of.id} class=${of === session.value ? 'chosen' : ''}><th scope="row" ref=${(cell) => { if (cell) cell.style.borderLeftColor = colour ?? ''; }}><button class="name" aria-current=${of === session.value} title=${`Show ${of.info.value.name} in all panels`} onClick=${() => show(of.id)}>${name}</button></th>${cells.map((cell) => html`<td>${cell}</td>`)}</tr>`)}</tbody></table>`;
+    <tbody>${rows.map(({ of, name, colour, cells }) => html`<tr key=${of.id} class=${of === session.value ? 'chosen' : ''}><th scope="row" ref=${(cell) => { if (cell) cell.style.borderLeftColor = colour ?? ''; }}><button class="name" aria-current=${of === session.value} title=${`Show ${of.title} in all panels`} onClick=${() => show(of.id)}>${name}</button></th>${cells.map((cell) => html`<td>${cell}</td>`)}</tr>`)}</tbody></table>`;
 }
 
 /** The last changes up to the shown moment, the newest first. */

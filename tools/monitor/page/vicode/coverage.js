@@ -72,13 +72,13 @@ function ways(now) {
 export function CoverageSide() {
   const now = coverage.value;
   if (!session.value) return html`<${Empty} what="No session is selected" help="Open a world, a robot or a recording: what it visits is counted." />`;
-  if (place.value < 0) return html`<${Empty} what=${`${session.value.info.value.name} does not run ${component.value ?? 'this component'}`} help="Select a session that runs it." />`;
+  if (place.value < 0) return html`<${Empty} what=${`${session.value.title} does not run ${component.value ?? 'this component'}`} help="Select a session that runs it." />`;
   if (!now || !machine.value) return html`<${Empty} what="Counting…" help="What the session remembers is counted." />`;
   if (now.error) return html`<${Empty} what=${now.error.text ?? String(now.error)} help=${now.error.help ?? ''} />`;
   const all = ways(now);
   const missed = [...now.states.filter(({ visits }) => visits === 0).map(({ name }) => stateKey(name)), ...all.filter(({ taken }) => taken === 0).map(({ key }) => key)];
   const next = () => focusOn(missed[(missed.indexOf(selection.value.at(-1)) + 1) % missed.length]);
-  return html`<p class="now" role="status"><b>${now.states.filter(({ visits }) => visits > 0).length} of ${now.states.length} states</b>, <b>${all.filter(({ taken }) => taken > 0).length} of ${all.filter(({ taken }) => taken !== null).length} transitions</b> <span class="dim">· ${seconds(now.us)} of ${session.value.info.value.name}</span></p>
+  return html`<p class="now" role="status"><b>${now.states.filter(({ visits }) => visits > 0).length} of ${now.states.length} states</b>, <b>${all.filter(({ taken }) => taken > 0).length} of ${all.filter(({ taken }) => taken !== null).length} transitions</b> <span class="dim">· ${seconds(now.us)} of ${session.value.title}</span></p>
     <div class="join"><button disabled=${missed.length === 0} onClick=${next}>Next not visited</button></div>
     <table class="counts"><thead><tr><th>State</th><th class="n">visits</th><th class="n">time</th><th class="n">longest</th></tr></thead><tbody>${now.states.map((one) => html`<tr class=${one.visits > 0 ? '' : 'missed'}><td><button class="name" onClick=${() => focusOn(stateKey(one.name))}>${one.name}</button></td><td class="n">${one.visits || '–'}</td><td class="n">${one.visits ? seconds(one.us) : ''}</td><td class="n">${one.visits ? seconds(one.longest_us) : ''}</td></tr>`)}</tbody></table>
     <table class="counts"><thead><tr><th>Transition</th><th class="n">taken</th></tr></thead><tbody>${all.map(({ key, name, to, taken, or }) => html`<tr class=${taken === 0 ? 'missed' : ''}><td><button class="name" onClick=${() => focusOn(key)}>${name}</button> <span class="dim">→ ${to}${or.size > 0 ? ` (or ${[...or].join(', ')})` : ''}</span></td><td class="n" title=${taken === null ? 'It leads to the state that it leaves: states do not show it' : ''}>${taken === null ? 'not known' : taken || '–'}</td></tr>`)}</tbody></table>

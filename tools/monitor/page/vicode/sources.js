@@ -361,6 +361,3 @@ listen((message) => {
     readList().then(() => opened.value ?? restore());
   }
 });
-
-/** Whether there is a connection. */
-export const online = computed(() => link.value === 'open');

@@ -58,7 +58,7 @@ const same = (a, b) => a.component === b.component && (a.state ?? null) === (b.s
 export function toggleStop(key) {
   const own = stopsOf(key);
   if (own.length === 0) {
-    notify('error', session.value ? `${session.value.info.value.name} does not run this ${key.startsWith('s:') ? 'state' : 'transition'}` : 'no session is open', session.value ? 'press Run to build it and run it' : 'open a world, or press Run');
+    notify('error', session.value ? `${session.value.title} does not run this ${key.startsWith('s:') ? 'state' : 'transition'}` : 'no session is open', session.value ? 'press Run to build it and run it' : 'open a world, or press Run');
     return;
   }
   const on = own.every((one) => stops.value.some((stop) => same(stop, one)));

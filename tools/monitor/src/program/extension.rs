@@ -20,9 +20,9 @@ pub trait Extension: Send + Sync {
 
     /// Text of an ES module, which the page loads from the folder `extensions` beside `lib`. Its default export is
     /// `{panels, presets}`: panels by name, as in `page/lib/panels.js`, and layouts by name, as in `page/lib/presets.js`. A layout
-    /// with `first` is that of a first visit; a layout with `several` is that of a first visit with several sessions, if these have what it
-    /// `needs`; a layout with `plain` has a bar for people who are not engineers. `lastPresets` are layouts that are listed after all
-    /// others.
+    /// with `first` is that of a first visit to a tree that has what it `needs`, with at least so many sessions; with 0 also before a
+    /// tree is known. A layout with `plain` has a bar for people who are not engineers. `lastPresets` are layouts that are listed after
+    /// all others. `label` names a robot by its outputs, such as `{Game.team}-{Game.player}`, in place of its address.
     fn module(&self) -> &str;
 
     /// Returns whether pages that may only watch may send this message; by default none may.

@@ -7,12 +7,14 @@ const same = (found, wanted) => {
   if (text(found) !== text(wanted)) wrong.push(`${text(found)} is not ${text(wanted)}`);
 };
 
-async function numbers() {
+async function texts() {
   const { exact, number, ticks, time, typedNumber, duration } = await at('format');
   same([0.0004, 0.00043219, 12.3456, 1234.5, 1e-9, -0.1, 1764250000123456789n].map(number), ['0.0004', '0.0004322', '12.35', '1235', '1e-9', '-0.1', '1764250000123456789']);
   same([0.0004, 0.12345679, 1e-9, 1e21].map(exact).map(typedNumber), [0.0004, 0.12345679, 1e-9, 1e21]);
   same(['0,5', '−3', ' 7 ', '9007199254740993', '', '0x10', '1 000'].map(typedNumber), [0.5, -3, 7, 9007199254740993n, null, null, null]);
   same([[1000.0001, 1000.0002], [0, 0.25], [-5e-10, 0], [1.5e18, 2e18], [-20, 400]].map(ticks), [['1000.0001', '1000.0002'], ['0', '0.25'], ['-5e-10', '0'], ['1.5e18', '2e18'], ['-20', '400']]);
+  const { written } = await at('../panels/map/labels');
+  same([[6, 820 * 600], [6, 458 * 334], [4, 380 * 277]].map(([count, area]) => written(Array(count).fill({ full: '5-1', short: '1' }), area)[0].text), ['5-1', '1', '1']);
   same([duration(0), time(62.5e6), time(1764250005.25e6, 1).replace(/^\d\d:\d\d/, '')], ['0 s', '1:02.50', ':45.3']);
 }
 
@@ -98,4 +100,4 @@ async function keys() {
   same([names('л', 'KeyK', 'C'), names('k', 'KeyK', 'C'), names('ArrowLeft', 'ArrowLeft', 'S')], [['Ctrl+л', 'Ctrl+k'], ['Ctrl+k'], ['Shift+ArrowLeft']]);
 }
 
-return Promise.all([numbers, expressions, curves, exactNumbers, keys, background, composing].map((test) => test())).then(() => wrong);
+return Promise.all([texts, expressions, curves, exactNumbers, keys, background, composing].map((test) => test())).then(() => wrong);

@@ -1,9 +1,14 @@
-// Names of robots on the map.
+// Names of robots on the map, and of frames in space.
 
 import { css } from '../../lib/theme.js';
 
 /** Height of a label, px. */
 const HIGH = 16;
+/** Area of a map for each label, px², below which labels are short. */
+const ROOM = 35e3;
+
+/** Labels, {full, short}, with the `text` for which a map of this area has room. */
+export const written = (labels, area) => labels.map(({ full, short, ...rest }) => ({ ...rest, text: area < ROOM * labels.length ? short : full }));
 
 /** Writes labels, {text, colour, at}, below points of the canvas, each within the canvas and below those that it would cover. */
 export function drawLabels(context, labels, width, height) {

@@ -5,6 +5,7 @@ import { Canvas } from '../../lib/canvas.js';
 import { applied, flat, visuals } from '../../lib/frames.js';
 import { css } from '../../lib/theme.js';
 import { Empty, Toggle } from '../../lib/ui.js';
+import { drawLabels, written } from './labels.js';
 
 /** Length of a frustum, m. */
 const DEPTH = 0.4;
@@ -24,21 +25,6 @@ export function viewsOf(cameras, { read, toView, colour }) {
     const [aside, up] = [(DEPTH * known.centre_x) / known.focal_x, (DEPTH * known.centre_y) / known.focal_y];
     return { matrix: toView(camera.info.frame), corners: [[DEPTH, aside, up], [DEPTH, -aside, up], [DEPTH, -aside, -up], [DEPTH, aside, -up]], colour: colour(camera.component) };
   })).filter(({ matrix }) => matrix);
-}
-
-/** Writes names at points of the canvas; one that would cover another is left out. */
-function drawNames(context, names) {
-  context.font = `11px ${css('--font')}`;
-  context.textBaseline = 'middle';
-  const taken = [];
-  for (const [name, at] of names.toReversed()) {
-    if (!at || taken.some(([x, y]) => Math.abs(x - at[0]) < 60 && Math.abs(y - at[1]) < 16)) continue;
-    taken.push(at);
-    context.fillStyle = css('--shade');
-    context.fillRect(at[0] + 5, at[1] - 8, context.measureText(name).width + 6, 16);
-    context.fillStyle = css('--shade-text');
-    context.fillText(name, at[0] + 8, at[1]);
-  }
 }
 
 const hasWebGl = () => Boolean(document.createElement('canvas').getContext('webgl2'));
@@ -75,8 +61,9 @@ export function Space({ content, overlay, reads, visible, ground, flatten, ...ha
     if (!space.current) return;
     const all = content();
     space.current.draw(width, height, { ...all, follow: follows.value ? all.follow : null });
-    const named = [...all.frames.map(({ name, matrix }) => [name, applied(matrix, [0, 0, 0])]), ...all.labels.map(({ text, point }) => [text, point])];
-    drawNames(context, named.map(([name, point]) => [name, space.current.project(point, width, height)]));
+    const frames = all.frames.map(({ name, matrix }) => ({ text: name, colour: css('--dim'), point: applied(matrix, [0, 0, 0]) }));
+    const named = [...frames, ...written(all.labels, width * height)].map((one) => ({ ...one, at: space.current.project(one.point, width, height) ?? [] }));
+    drawLabels(context, named.filter(({ at: [x, y] }) => x >= 0 && x <= width && y >= 0 && y <= height), width, height);
     overlay(context, width, height, ...all.legend);
   };
   const look = (above) => () => {

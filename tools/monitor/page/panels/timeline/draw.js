@@ -67,7 +67,7 @@ function drawRows(context, view, shown, pointer) {
     }
     const now = of.moment.value?.components?.[own];
     context.fillStyle = place === undefined ? css(now?.[0] ? '--text' : '--dim') : besideColour(place);
-    context.fillText(place === undefined ? component.name : of.info.value.name, place === undefined ? 8 : 18, y + row / 2, LABELS - (place === undefined ? 14 : 24));
+    context.fillText(place === undefined ? component.name : of.title, place === undefined ? 8 : 18, y + row / 2, LABELS - (place === undefined ? 14 : 24));
     if (place !== undefined) context.fillRect(9, y + 3, 3, row - 6);
     const live = place === undefined ? of.live.value : null;
     within(context, LABELS, y, width - LABELS, row, () => {
@@ -302,7 +302,7 @@ function drawPointer(context, view, shown, { x, y }) {
   const near = events(shown).find((event) => Math.abs(view.x(event.time_us) - x) < 5 || (y > view.room && within(spanOf(event.text))));
   const alert = [...findings.value].find(([, { fired }]) => fired.some((at) => Math.abs(view.x(at) - x) < 5))?.[0];
   const gap = shown.info.value.gaps.find(([begin, end]) => begin < time && time < end);
-  const text = [timeText(time, 3), alert && `watch fired: ${alert}`, near?.text, gap ? 'not received: the connection was lost' : line && (bar ? `${line.of ? `${line.of.info.value.name}, ` : ''}${line.component.name}${state ? `: ${state}` : ''}, ${duration(bar[1] - bar[0])}` : `${line.of ? `${line.of.info.value.name}, ` : ''}${line.component.name}: latent`), line && jobAt(line, time)].filter(Boolean).join(' · ');
+  const text = [timeText(time, 3), alert && `watch fired: ${alert}`, near?.text, gap ? 'not received: the connection was lost' : line && (bar ? `${line.of ? `${line.of.title}, ` : ''}${line.component.name}${state ? `: ${state}` : ''}, ${duration(bar[1] - bar[0])}` : `${line.of ? `${line.of.title}, ` : ''}${line.component.name}: latent`), line && jobAt(line, time)].filter(Boolean).join(' · ');
   context.font = `11.5px ${css('--font')}`;
   const width = context.measureText(text).width + 14;
   const left = Math.min(x + 10, view.width - width - 4);

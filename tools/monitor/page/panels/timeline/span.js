@@ -33,7 +33,7 @@ export function SpanBar({ rows }) {
     if (text) download(`span-${(begin / 1e6).toFixed(2)}-${(end / 1e6).toFixed(2)}.csv`, new Blob([text], { type: 'text/csv' }));
   };
   const keep = async () => {
-    const asked = await askForm({ title: 'Keep the span as a recording', submit: 'Keep', fields: [{ name: 'name', label: 'Name of the recording', max: hello.value.limits.name, value: `${shown.info.value.name} ${(begin / 1e6).toFixed(1)}-${(end / 1e6).toFixed(1)} s`.replace('.mcap', '').replaceAll(/[/:\\]/g, '-') }] });
+    const asked = await askForm({ title: 'Keep the span as a recording', submit: 'Keep', fields: [{ name: 'name', label: 'Name of the recording', max: hello.value.limits.name, value: `${shown.title} ${(begin / 1e6).toFixed(1)}-${(end / 1e6).toFixed(1)} s`.replace('.mcap', '').replaceAll(/[/:\\]/g, '-') }] });
     if (asked?.name.trim()) await act('keep_span', { name: asked.name.trim(), from_us: begin, until_us: end }, `the span is kept as “${asked.name.trim()}”; Recordings opens it`);
   };
   // A note of the span has its times, from which the timeline draws it.

@@ -176,6 +176,7 @@ impl Referee {
     fn set_clock(
         &mut self,
         #[range(0..=3600)]
+        #[default(600)]
         #[unit("s")]
         seconds: u32,
     ) {
@@ -216,6 +217,18 @@ impl Referee {
     #[output]
     fn kicking_team(&self) -> Option<u8> {
         self.shown(|control| control.kicking_team).flatten()
+    }
+
+    /// Numbers of the first and the second team.
+    #[output]
+    fn teams(&self) -> Option<[u8; 2]> {
+        self.game.as_ref().map(|(_, teams)| *teams)
+    }
+
+    /// The players with a penalty: its kind, and the time until it may end.
+    #[output]
+    fn penalties(&self) -> Vec<String> {
+        self.game.as_ref().map_or_else(Vec::new, |(game, _)| game.penalties())
     }
 
     /// Goals of the first and the second team.

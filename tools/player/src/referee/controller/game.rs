@@ -1,8 +1,8 @@
 //! State of a game, and the times at which its packets are sent.
 
-use bica_player::referee::packet::{Control, Penalty, PlayState, SetPlay, Team, Version};
+use bica_player::referee::packet::{Control, Penalty, PlayState, PlayerInfo, SetPlay, Team, Version};
 
-use super::command::Command;
+use super::command::{Command, penalty_name};
 
 /// Duration of a half, s.
 const HALF: f64 = 600.0;
@@ -214,6 +214,18 @@ impl Game {
         shown
     }
 
+    /// Returns a line for each player with a penalty.
+    pub(super) fn penalties(&self) -> Vec<String> {
+        let teams = self.shown().teams;
+        let players =
+            teams.iter().flat_map(|team| (1..).zip(&team.players).map(|(number, info)| (team.number, number, info)));
+        let penalized = players.filter(|(.., info)| !matches!(info.penalty, Penalty::None | Penalty::Substitute));
+        let line = |(team, number, info): (u8, u8, &PlayerInfo)| {
+            format!("{team}-{number} {}, {} s", penalty_name(info.penalty), info.seconds)
+        };
+        penalized.map(line).collect()
+    }
+
     /// State of the game, one line.
     pub(super) fn line(&self) -> String {
         let Control { state, set_play, stopped, teams, .. } = &self.control;
@@ -276,6 +288,7 @@ mod tests {
         let (_, begun) = packets(&mut game, 1.0);
         assert_eq!(begun.teams[1].players[1].penalty, Penalty::Pushing);
         assert!((29..=30).contains(&begun.teams[1].players[1].seconds));
+        assert_eq!(game.penalties(), ["23-2 pushing, 29 s"]);
         let (_, later) = packets(&mut game, 40.0);
         assert_eq!((later.teams[1].players[1].penalty, later.teams[1].players[1].seconds), (Penalty::Pushing, 0));
         command(&mut game, "penalty 23 2 none").expect("its end");
