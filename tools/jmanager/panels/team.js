@@ -19,7 +19,7 @@ export default {
       first: 2,
       panels: (width, height) => [
         ['map', { params: map }],
-        ['table:1', { ...(width < 1400 ? below('map', height * 0.34) : right('map', width * 0.52)), title: 'Players', params: table }],
+        ['table:1', { ...(width < 1400 ? below('map', height * 0.37) : right('map', width * 0.52)), title: 'Players', params: table }],
         ['component:GameController', width < 1400 ? within('table:1') : below('table:1', height * 0.55)],
         ['timeline', within(width < 1400 ? 'table:1' : 'component:GameController')],
         ['log', within('timeline')],

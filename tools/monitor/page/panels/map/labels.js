@@ -5,7 +5,7 @@ import { css } from '../../lib/theme.js';
 /** Height of a label, px. */
 const HIGH = 16;
 /** Area of a map for each label, px², below which labels are short. */
-const ROOM = 35e3;
+const ROOM = 30e3;
 
 /** Labels, {full, short}, with the `text` for which a map of this area has room. */
 export const written = (labels, area) => labels.map(({ full, short, ...rest }) => ({ ...rest, text: area < ROOM * labels.length ? short : full }));

@@ -62,7 +62,7 @@ export function Space({ content, overlay, reads, visible, ground, flatten, ...ha
     const all = content();
     space.current.draw(width, height, { ...all, follow: follows.value ? all.follow : null });
     const frames = all.frames.map(({ name, matrix }) => ({ text: name, colour: css('--dim'), point: applied(matrix, [0, 0, 0]) }));
-    const named = [...frames, ...written(all.labels, width * height)].map((one) => ({ ...one, at: space.current.project(one.point, width, height) ?? [] }));
+    const named = [...frames, ...written(all.labels, Math.min(width, height) ** 2)].map((one) => ({ ...one, at: space.current.project(one.point, width, height) ?? [] }));
     drawLabels(context, named.filter(({ at: [x, y] }) => x >= 0 && x <= width && y >= 0 && y <= height), width, height);
     overlay(context, width, height, ...all.legend);
   };
