@@ -37,6 +37,7 @@ const FACE_DOWN_PITCH: f32 = 1.0;
 enum Sequence {
     UpFromFront,
     UpFromBack,
+    UpFromSide,
     TurnFromFront,
     TurnFromBack,
 }
@@ -78,18 +79,21 @@ impl GetUp {
     /// A get-up of a robot that lies on side `lying` with its joints at `from` (measured angles, rad), after a number of
     /// `failures`.
     ///
-    /// From a side the way from the back is used: its leg motion rolls the body onto the back. If the body rolls onto its
-    /// face instead, the get-up stops at once. Every second attempt is mirrored. Every third attempt only turns the robot over,
-    /// away from a possible obstacle.
+    /// From a side a robot without a way of its own uses that from the back: its leg motion rolls the body onto the back. If the
+    /// body rolls onto its face instead, the get-up stops at once. Every second attempt from front or back is mirrored. Every third
+    /// attempt only turns the robot over, away from a possible obstacle.
     #[must_use]
     pub fn new(model: &'static RobotModel, lying: Direction, failures: u8, from: Joints) -> Self {
         let sequence = match (lying, failures % 3 == 2) {
             (Direction::Front, false) => Sequence::UpFromFront,
             (Direction::Front, true) => Sequence::TurnFromFront,
+            (Direction::Left | Direction::Right, false) if !model.get_up.sit_up_from_side.is_empty() => {
+                Sequence::UpFromSide
+            }
             (_, false) => Sequence::UpFromBack,
             (_, true) => Sequence::TurnFromBack,
         };
-        let mirrored = failures % 2 == 1;
+        let mirrored = if sequence == Sequence::UpFromSide { lying == Direction::Left } else { failures % 2 == 1 };
         let mut movement = Self { sequence, mirrored, from, index: 0, failed: false, ..Self::none(model) };
         movement.seconds = movement.needed();
         movement
@@ -99,8 +103,8 @@ impl GetUp {
     #[must_use]
     pub fn is_done(&self) -> bool {
         let rise = match self.sequence {
-            Sequence::UpFromFront | Sequence::UpFromBack => self.model.get_up.rise.len() + 2,
             Sequence::TurnFromFront | Sequence::TurnFromBack => 0,
+            _ => self.model.get_up.rise.len() + 2,
         };
         self.failed || self.index >= self.first_frames().len() + rise
     }
@@ -135,13 +139,14 @@ impl GetUp {
     }
 
     /// Stops the motion if the robot has risen and lies again, does not sit at the start of the rise, or lies on its face
-    /// on the way from the back.
+    /// on the way from the back or a side.
     fn check_progress(&mut self, inertial: &Inertial) {
         let [(_, pitch), (_, roll)] = [inertial.pitch, inertial.roll].map(libm::sincosf);
         let uprightness = pitch * roll;
         self.risen |= uprightness > RISEN_UPRIGHTNESS || self.index > self.first_frames().len();
-        let on_face = self.sequence == Sequence::UpFromBack
-            && self.index >= self.model.get_up.rolled_onto_back
+        let turning = self.first_frames().len().saturating_sub(self.model.get_up.sit_up_from_back.len());
+        let on_face = matches!(self.sequence, Sequence::UpFromBack | Sequence::UpFromSide)
+            && self.index >= self.model.get_up.rolled_onto_back + turning
             && inertial.pitch > FACE_DOWN_PITCH;
         self.failed |= self.risen && uprightness < FALLEN_UPRIGHTNESS || on_face;
     }
@@ -151,6 +156,7 @@ impl GetUp {
         match self.sequence {
             Sequence::UpFromFront => self.model.get_up.sit_up_from_front,
             Sequence::UpFromBack => self.model.get_up.sit_up_from_back,
+            Sequence::UpFromSide => self.model.get_up.sit_up_from_side,
             Sequence::TurnFromFront => self.model.get_up.turn_from_front,
             Sequence::TurnFromBack => self.model.get_up.turn_from_back,
         }

@@ -9,9 +9,11 @@ import numpy as np
 LEGS = {"t1": (-27.669, 0, 0, 47.965, -20.296, 0), "k1": (-22.596, 0, 0, 46.388, -23.792, 0)}
 ARM = (0, -83, 0, -5.73)
 TORQUE = {"t1": [7, 7] + [18] * 8 + [30] + [45, 30, 30, 60, 20, 15] * 2, "k1": [6, 6] + [14] * 8 + [30, 35, 20, 40, 20, 20] * 2}
-FLOOR = '<geom name="floor" type="plane" size="0 0 1" contype="4" conaffinity="3" condim="3" friction="1 0.01 0.0005"/>'
+# That of `bica-body`, which a test compares: on another floor the arms push otherwise.
+FLOOR = '<geom name="Floor" type="plane" size="0 0 1" group="3" contype="4" conaffinity="3" friction="0.9 0.005 0.0001"/>'
 BALL = ('<body name="Ball"><freejoint name="Ball"/><geom type="sphere" size="0.0325" mass="0.055" contype="16" conaffinity="45" condim="6" '
         'priority="2" friction="0.7 0.003 0.0016" solref="0.01 0.25"/></body>')  # that of the NAO's field
+SIDES = {"front": 0, "left": 1, "back": 2, "right": 3}
 STEP = 0.002
 
 
@@ -64,10 +66,10 @@ class Dynamics:
         sensors = [float(value) for value in self.data.sensordata]
         return [roll, pitch, yaw], sensors[:3], sensors[3:6]
 
-    def push(self):
-        """A velocity of 2.5 m/s ahead of the robot, which no step stops."""
-        yaw = self.inertial()[0][2]
-        self.data.qvel[:2] += [2.5 * math.cos(yaw), 2.5 * math.sin(yaw)]
+    def push(self, speed=2.5, side="front"):
+        """A velocity, m/s, to a side of the robot: no step stops 2.0 m/s."""
+        yaw = self.inertial()[0][2] + SIDES[side] * math.pi / 2
+        self.data.qvel[:2] += [speed * math.cos(yaw), speed * math.sin(yaw)]
 
     def place_ball(self, x, y):
         self.ball.qpos[:] = [x, y, 0.0325, 1, 0, 0, 0]

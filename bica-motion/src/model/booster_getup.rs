@@ -10,13 +10,14 @@ use crate::model::{GetUpFrame, GetUpFrames};
 pub(super) const T1: GetUpFrames = GetUpFrames {
     sit_up_from_front: &SQUAT_FROM_FRONT,
     sit_up_from_back: SQUAT_FROM_FRONT.split_at(ROLL.len()).1,
+    sit_up_from_side: &[],
     rise: &T1_RISE,
     turn_from_front: &ROLL,
     turn_from_back: &[],
     rolled_onto_back: 0,
 };
-/// Those of the K1: only its way from the squat to the stand differs.
-pub(super) const K1: GetUpFrames = GetUpFrames { rise: &K1_RISE, ..T1 };
+/// Those of the K1, which differ on the side, where a K1 stays, and from the squat to the stand.
+pub(super) const K1: GetUpFrames = GetUpFrames { sit_up_from_side: &SQUAT_FROM_SIDE, rise: &K1_RISE, ..T1 };
 
 /// From lying on the front to lying on the back.
 const ROLL: [GetUpFrame; 3] = [
@@ -34,6 +35,22 @@ const SQUAT_FROM_FRONT: [GetUpFrame; 7] = [
     GetUpFrame::symmetric(40, [69, -96, 53, -84], [-2, -7, -103, 0, -23, 4]),
     GetUpFrame::symmetric(43, [65, -96, -21, 0], [-30, 75, -103, 127, -45, -11]),
     GetUpFrame::symmetric(44, [41, -94, -12, -9], [-57, 58, -68, 127, -12, -23]),
+];
+
+/// From lying on the right side, over the back, to the same squat.
+const SQUAT_FROM_SIDE: [GetUpFrame; 6] = [
+    GetUpFrame::new(
+        35,
+        [0, 0, -13, -127, 10, -27, 0, -27, 29, -93, 127, 57, 0, -30, -112, 4, 0, 0, 17, 127, -90, 83, 0],
+    ),
+    GetUpFrame::new(
+        35,
+        [0, 0, -31, -127, -22, 50, 0, -73, 16, -113, 126, 11, 0, -78, -114, 78, 0, 0, -4, 127, -75, 37, 0],
+    ),
+    SQUAT_FROM_FRONT[3],
+    SQUAT_FROM_FRONT[4],
+    SQUAT_FROM_FRONT[5],
+    SQUAT_FROM_FRONT[6],
 ];
 
 /// From the squat of a T1 to half the way to its stand.

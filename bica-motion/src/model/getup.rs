@@ -73,6 +73,8 @@ pub struct GetUpFrames {
     pub sit_up_from_front: &'static [GetUpFrame],
     /// From lying on the back to sitting.
     pub sit_up_from_back: &'static [GetUpFrame],
+    /// From lying on the right side to sitting, and mirrored from the left side; if empty, the way from the back serves.
+    pub sit_up_from_side: &'static [GetUpFrame],
     /// From sitting to a deep crouch. The stand follows.
     pub rise: &'static [GetUpFrame],
     /// From lying on the front to lying on the back.

@@ -11,6 +11,10 @@ use crate::message::{LowState, MotorState};
 /// Tilt of a torso that lies, or falls beyond what a motion can stop, rad.
 const LYING: f32 = 0.7;
 
+/// Range of the specific force along each axis, m/s²: that of the accelerometer with which the detection of falls was tuned. Its filter
+/// would take the peak of an impact for the weight of a robot that lies.
+const FORCE_RANGE: f32 = 2.0 * 9.81;
+
 /// Why a state is not used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mistake {
@@ -32,7 +36,7 @@ impl fmt::Display for Mistake {
 }
 
 /// Returns the sensor values of a state: angles from the serial list, temperatures from the parallel one if there is one, and the robot's
-/// own estimate of the tilt. The forces on the soles are not measured.
+/// own estimate of the tilt. The forces on the soles are not measured. The specific force is limited to 2 g along each axis.
 ///
 /// # Errors
 /// If a list has another number of motors than the robot, or a value is not finite or out of range.
@@ -52,7 +56,8 @@ pub fn sensors(body: &Body, state: &LowState) -> Result<Sensors<'static>, Mistak
     if !is_in_order || !inertial.is_plausible() {
         return Err(Mistake::Value);
     }
-    let mut sensors = Sensors { inertial, ..Sensors::UNMEASURED };
+    let acceleration = acceleration.clamp(Vec3::splat(-FORCE_RANGE), Vec3::splat(FORCE_RANGE));
+    let mut sensors = Sensors { inertial: Inertial { acceleration, ..inertial }, ..Sensors::UNMEASURED };
     let temperatures = if parallel.is_empty() { serial } else { parallel };
     for ((joint, motor), hot) in body.motors.iter().zip(serial).zip(temperatures) {
         sensors.angles[*joint] = motor.q;
@@ -89,6 +94,14 @@ mod tests {
         assert!((measured.temperatures[Joint::LHipPitch] - 41.0).abs() < 1e-6);
         let measured = sensors(K1, &state(K1)).expect("it is right");
         assert!((measured.angles[Joint::LHipPitch] - 0.10).abs() < 1e-6);
+    }
+
+    #[test]
+    fn specific_force_of_an_impact_is_limited() {
+        let mut state = state(T1);
+        state.imu_state.acc = [-3.0, -150.0, 30.0];
+        let force = sensors(T1, &state).expect("it is right").inertial.acceleration;
+        assert!((force - Vec3::new(-3.0, -19.62, 19.62)).length() < 1e-4, "{force}");
     }
 
     #[test]

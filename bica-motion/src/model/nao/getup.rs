@@ -11,6 +11,7 @@ use crate::model::{GetUpFrame, GetUpFrames};
 pub(super) const GET_UP: GetUpFrames = GetUpFrames {
     sit_up_from_front: &SIT_UP_FROM_FRONT,
     sit_up_from_back: &SIT_UP_FROM_BACK,
+    sit_up_from_side: &[],
     rise: &RISE,
     turn_from_front: &TURN_FROM_FRONT,
     turn_from_back: &TURN_FROM_BACK,
