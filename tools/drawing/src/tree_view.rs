@@ -51,7 +51,7 @@ impl TreeView {
         let from = Vec2::new(place.x as f32, place.y as f32) - 0.5 * BOX;
         let area = Area { from, to: from + BOX };
         let (name, middle, line) = (&*tree.tree.components[node].name, area.centre(), Vec2::new(0.0, 8.0));
-        if !tree.active[node] {
+        if !tree.is_active(node) {
             canvas.rounded_rectangle(area, 6.0, PAPER);
             canvas.outline(area, 6.0, 1.0, GHOST);
             return canvas.write_centred(middle, Font::Normal, FAINT, name);

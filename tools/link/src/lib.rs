@@ -21,6 +21,7 @@ mod client;
 mod cost_meter;
 mod error;
 mod frame;
+mod image;
 mod job;
 mod memory;
 mod pending;
@@ -34,9 +35,10 @@ pub use bica_wire::model::{
     Component, Description, Invalid, Kind, Link, Modulation, NamedRequest, NamedSetting, Output, Param, Placement,
     Plain, State, Transition, Variant, Variants,
 };
-pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, LogLine, Shown, Snapshot, Truth, happened};
+pub use client::{Answered, Client, ClientOptions, Costs, Event, LogLine, Shown, Snapshot, Truth, happened};
 pub use cost_meter::{ComponentTime, CostMeter};
 pub use error::Error;
+pub use image::Image;
 pub use job::{JOB, JobEvent};
 pub use memory::Memory;
 pub use pending::Pending;

@@ -66,7 +66,7 @@ pub use layout::{content, write_content};
 pub use merge::Robots;
 pub use message::{Channel, ComponentCosts, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 pub use metadata::checksum;
-pub use monitor::{MonitorRecorder, ReceivedImage};
+pub use monitor::MonitorRecorder;
 pub use names::NameTable;
 pub use outputs::{OutputRecord, OutputsRecord};
 pub use part::{RunPart, Split};

@@ -135,9 +135,9 @@ impl Monitor {
         let path = folder.join(format!("{number}_{width}x{height}.yuyv"));
         let failed =
             |error| Failure::new(format!("{}: {error}", path.display()), "make room, or choose another folder");
-        fs::write(&path, yuyv).map_err(failed)?;
+        fs::write(&path, &**yuyv).map_err(failed)?;
         let line = json!({
-            "number": number, "time_us": time_us, "camera": camera, "width": width, "height": height, "path": path,
+            "number": number, "time_us": time_us, "camera": &**camera, "width": width, "height": height, "path": path,
         });
         let row = format!("image {} of {camera}", path.display());
         self.console.print_row(&format!("{:.2} s", *time_us as f64 * 1e-6), &row)?;

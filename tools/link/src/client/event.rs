@@ -10,6 +10,7 @@ use bica_wire::model::Description;
 
 use super::scene::{Shown, Truth};
 use crate::error::Error;
+use crate::image::Image;
 
 /// Event that a client receives.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,23 +96,6 @@ pub struct Costs {
     pub cycles: message::Costs,
     /// Costs of each component.
     pub components: Vec<ComponentCost>,
-}
-
-/// A camera image.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Image {
-    /// Number of the image since the start, from 0.
-    pub number: u32,
-    /// Instant of the cycle that received it, µs.
-    pub time_us: u64,
-    /// Name of its camera.
-    pub camera: String,
-    /// Width, px.
-    pub width: u16,
-    /// Height, px.
-    pub height: u16,
-    /// Pixels in YUYV, 2 bytes for each.
-    pub yuyv: Vec<u8>,
 }
 
 /// State of a tree after a cycle.

@@ -1,10 +1,13 @@
 //! Assembly of the messages that only a program on a computer sends.
 
+use std::sync::Arc;
+
 use bica_wire::ToMonitorExtra;
 use bica_wire::message::{ComponentCosts, Conditions, Happened, ImageChunk, ImageHead, Requested, SceneKind};
 
-use super::event::{Costs, Event, Image};
+use super::event::{Costs, Event};
 use super::scene::{Scenes, Truth};
+use crate::image::Image;
 use bica_wire::model::Description;
 
 /// Largest image, bytes.
@@ -46,8 +49,8 @@ impl Extras {
             ToMonitorExtra::Result(text) => Some(Event::Result(text.to_owned())),
             ToMonitorExtra::Image(head) => {
                 let ImageHead { number, time_us, camera, width, height } = head;
-                let image = Image { number, time_us, camera: camera.to_owned(), width, height, yuyv: Vec::new() };
-                self.image = (size(&image) <= MAX_IMAGE).then_some(image);
+                let image = Image { number, time_us, camera: camera.into(), width, height, yuyv: Arc::default() };
+                self.image = (image.size() <= MAX_IMAGE).then_some(image);
                 None
             }
             ToMonitorExtra::ImageChunk(chunk) => self.chunk(&chunk),
@@ -96,18 +99,15 @@ impl Extras {
 
     fn chunk(&mut self, chunk: &ImageChunk<'_>) -> Option<Event> {
         let image = self.image.as_mut()?;
-        let size = size(image);
+        let size = image.size();
         let continues = image.number == chunk.image_id && image.yuyv.len() == chunk.offset as usize;
         if !continues || image.yuyv.len() + chunk.bytes.len() > size {
             // The image can never be complete; the robot waits until it is taken.
             let broken = self.image.take()?;
-            return Some(Event::Image(Image { yuyv: Vec::new(), ..broken }));
+            return Some(Event::Image(Image { yuyv: Arc::default(), ..broken }));
         }
-        image.yuyv.extend_from_slice(chunk.bytes);
+        // There is no other reference to it, so this copies nothing.
+        Arc::make_mut(&mut image.yuyv).extend_from_slice(chunk.bytes);
         (image.yuyv.len() == size).then(|| self.image.take().map(Event::Image)).flatten()
     }
-}
-
-fn size(image: &Image) -> usize {
-    2 * usize::from(image.width) * usize::from(image.height)
 }

@@ -6,7 +6,7 @@ use bica::{Format, Instant};
 use bica_wire::{Recordable, blobs};
 use postcard_schema::schema::{DataModelType, NamedType};
 
-use super::picture::Picture;
+use crate::image::Image;
 
 /// Function that returns the owner of the pixels of an image.
 type OwnerOf = dyn Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send;
@@ -41,12 +41,7 @@ impl Images {
     }
 
     /// Takes one of the images that were found; with several cameras, one camera after the other.
-    pub(super) fn take<R: Recordable>(
-        &mut self,
-        sensors: &R::Sensors<'_>,
-        number: u32,
-        now: Instant,
-    ) -> Option<Picture> {
+    pub(super) fn take<R: Recordable>(&mut self, sensors: &R::Sensors<'_>, number: u32, now: Instant) -> Option<Image> {
         let Self { message, places, found, owner_of, copies } = self;
         let wanted = found[number as usize % found.len()];
         let (format, camera) = blobs::described(message.get(places[wanted]..)?);
@@ -59,7 +54,7 @@ impl Images {
             }
             next += 1;
         })?;
-        let size = size(format)?;
+        let (width, height) = size(format)?;
         let frame = |index: usize| message.get(places[index]..).map(|head| blobs::described(head).1);
         let before = found.iter().take_while(|&&index| index < wanted).filter(|&&index| frame(index) == Some(camera));
         // A second camera in the same frame gets a number, as in a recording.
@@ -67,7 +62,7 @@ impl Images {
             0 => camera.into(),
             count => format!("{camera}_{}", count + 1).into(),
         };
-        Some(Picture { number, time_us: now.as_micros(), camera, size, pixels: pixels? })
+        Some(Image { number, time_us: now.as_micros(), camera, width, height, yuyv: pixels? })
     }
 }
 

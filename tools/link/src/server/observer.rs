@@ -19,11 +19,11 @@ use super::extras::Extra;
 use super::images::Images;
 use super::key::Key;
 use super::outbox::{AnswerKind, KnownSchema, Message};
-use super::picture::Picture;
 use super::requests::lock;
 use super::scene::EncodedScene;
 use super::view::View;
 use crate::cost_meter::CostMeter;
+use crate::image::Image;
 use crate::{JOB, JobEvent};
 
 /// Level of the line of the log about a breakpoint.
@@ -34,7 +34,7 @@ pub struct LinkObserver<R: Robot> {
     control: Arc<Mutex<Control>>,
     images: Images,
     /// The newest image that a monitor watched; in a world that can be paused, the newest image.
-    newest: Option<Picture>,
+    newest: Option<Image>,
     conditions: ConditionTable,
     costs: CostMeter,
     /// Instant of this cycle.
@@ -168,9 +168,9 @@ impl<R: Recordable> Observer<R> for LinkObserver<R> {
         if !control.watchers.wants_images() && !control.can_pause() {
             return;
         }
-        let Some(picture) = self.images.take::<R>(sensors, number, now) else { return };
-        control.watchers.send_image(&picture, false);
-        self.newest = Some(picture);
+        let Some(image) = self.images.take::<R>(sensors, number, now) else { return };
+        control.watchers.send_image(&image, false);
+        self.newest = Some(image);
     }
 
     fn acted(&mut self, cycle: &Cycle<'_, R>) {
@@ -196,8 +196,8 @@ impl<R: Recordable> Observer<R> for LinkObserver<R> {
         control.send_params(robot);
         // There are no new data or images until the world continues, so monitors get the last ones.
         control.send_owed(robot, &self.conditions);
-        if let Some(picture) = &self.newest {
-            control.watchers.send_image(picture, true);
+        if let Some(image) = &self.newest {
+            control.watchers.send_image(image, true);
         }
         control.hand_over();
         self.costs.switch(control.watchers.has(Key::Costs));

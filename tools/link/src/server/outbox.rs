@@ -15,9 +15,9 @@ use postcard_schema::schema::NamedType;
 
 use super::cycle_data::{Due, Part};
 use super::key::Key;
-use super::picture::Picture;
 use super::scene::Sent;
 use crate::frame::Packets;
+use crate::image::Image;
 use crate::pending::Pending;
 
 /// Largest number of messages that the loop keeps while the writer uses the queues.
@@ -88,7 +88,7 @@ pub(super) struct Unsent {
     /// Data of cycles, the oldest first.
     pub(super) data: VecDeque<Due>,
     /// The newest image of which no part was sent.
-    pub(super) image: Option<Picture>,
+    pub(super) image: Option<Image>,
 }
 
 impl Unsent {
@@ -108,7 +108,7 @@ pub(super) struct Outbox {
 pub(super) struct Batch {
     pub(super) waiting: Pending<Message, Key, Part>,
     pub(super) data: VecDeque<Due>,
-    pub(super) image: Option<Picture>,
+    pub(super) image: Option<Image>,
 }
 
 #[derive(Debug, Default)]
@@ -116,7 +116,7 @@ struct Queues {
     waiting: Pending<Message, Key, Part>,
     /// The newest data of cycles.
     data: VecDeque<Due>,
-    image: Option<Picture>,
+    image: Option<Image>,
     sleep: Sleep,
     closed: bool,
 }
@@ -171,8 +171,8 @@ impl Outbox {
         }
         queues.data.append(&mut unsent.data);
         queues.limit_data();
-        if let Some(picture) = unsent.image.take() {
-            queues.image = Some(picture);
+        if let Some(image) = unsent.image.take() {
+            queues.image = Some(image);
         }
         let is_much = queues.data.len() >= MAX_DATA / 2 || queues.waiting.messages() >= WAKE_MESSAGES;
         if is_much || queues.sleep == Sleep::Long {

@@ -16,7 +16,7 @@ use super::hub::{Command, Hub, MAX_PENDING};
 use super::key::Key;
 use super::options::MAX_MONITORS;
 use super::outbox::{Batch, Message};
-use super::picture::Sending;
+use super::sending::Sending;
 use crate::frame::{Packets, Receiver};
 use crate::stream::{Reading, Stream};
 

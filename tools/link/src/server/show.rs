@@ -15,10 +15,10 @@ use super::conditions::ConditionTable;
 use super::control::Control;
 use super::images;
 use super::outbox::Message;
-use super::picture::Picture;
 use super::requests::{LinkRequests, lock};
 use super::view::View;
 use crate::cost_meter::CostMeter;
+use crate::image::Image;
 
 /// End of a link that shows a recorded robot. Monitors receive the same as from a running robot, except costs and conditions.
 /// Each request is refused.
@@ -159,17 +159,17 @@ impl<R: Recordable> LinkShow<R> {
 
     /// Shows recorded large data if it is an image. `camera` names its camera.
     pub fn image(&mut self, camera: &str, blob: &Blob<'_>) {
-        let Some(size) = images::size(blob.format) else { return };
+        let Some((width, height)) = images::size(blob.format) else { return };
         let mut control = lock(&self.control);
         let (number, time_us) = (control.next.images as u32, control.next.time_us);
         control.next.images += 1;
         if !control.watchers.wants_images() {
             return;
         }
-        let mut pixels = Vec::new();
-        images::yuyv(blob.format, blob.bytes, &mut pixels);
-        let picture = Picture { number, time_us, camera: camera.into(), size, pixels: Arc::new(pixels) };
-        control.watchers.send_image(&picture, false);
+        let mut yuyv = Vec::new();
+        images::yuyv(blob.format, blob.bytes, &mut yuyv);
+        let image = Image { number, time_us, camera: camera.into(), width, height, yuyv: yuyv.into() };
+        control.watchers.send_image(&image, false);
     }
 
     /// Ends a cycle: sends monitors the data that they watch. `state` returns for each component whether it is active, and the

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::cycle_data::{CycleData, Due, Watched};
 use super::key::Key;
-use super::picture::Picture;
 use super::watcher::{MAX_WATCHED, Watcher};
+use crate::image::Image;
 
 /// All monitors, and the data that at least one of them watches.
 #[derive(Debug, Default)]
@@ -161,10 +161,10 @@ impl Watchers {
     }
 
     /// Sends an image to the monitors that get it; `stands` is whether the world stands still.
-    pub(super) fn send_image(&mut self, picture: &Picture, stands: bool) {
-        for watcher in self.list.iter_mut().filter(|watcher| watcher.wants_image(picture.number, stands)) {
-            watcher.connection.shows_image(picture.number);
-            watcher.unsent.image = Some(picture.clone());
+    pub(super) fn send_image(&mut self, image: &Image, stands: bool) {
+        for watcher in self.list.iter_mut().filter(|watcher| watcher.wants_image(image.number, stands)) {
+            watcher.connection.shows_image(image.number);
+            watcher.unsent.image = Some(image.clone());
         }
     }
 

@@ -295,11 +295,11 @@ fn monitor_gets_the_newest_image_next(way: Way) {
     let first = image(&mut slow);
     assert_eq!((usize::from(first.width), usize::from(first.height), &*first.camera), (WIDTH, HEIGHT, CAMERA));
     assert!(first.number.is_multiple_of(3) && first.time_us == u64::from(first.number) * CYCLE_US);
-    assert!(first.yuyv == PIXELS);
+    assert!(*first.yuyv == PIXELS);
     let taken = session.cycles();
     session.run(300);
     let second = image(&mut slow);
-    assert!(second.yuyv == PIXELS);
+    assert!(*second.yuyv == PIXELS);
     session.run(300);
     // Each image is sent when the one before is taken. There is one in three cycles.
     let third = image(&mut slow);

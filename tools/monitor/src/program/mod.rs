@@ -6,8 +6,9 @@ mod replay;
 mod world;
 
 pub use crate::protocol::WorldOption;
+pub use bica_link::Image;
 pub use extension::{Asked, Extension, Remembered, Reply, Work};
-pub use images::{Image, ImageFiles};
+pub use images::ImageFiles;
 pub use replay::Rerun;
 pub use world::{Game, LocalWorld, WorldRun, WorldSetup};
 

@@ -15,12 +15,13 @@
 //! | 32–31+n | name of the camera, UTF-8; empty if it is unknown |
 //! | 32+n– | pixels |
 
+use bica_link::Image;
 use bica_wire::truncate;
 
 use super::SessionId;
 
 /// Size of the head, bytes.
-pub const HEAD_BYTES: usize = 32;
+const HEAD_BYTES: usize = 32;
 
 /// Content of the pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,43 +32,20 @@ pub enum PixelKind {
     Classes = 2,
 }
 
-/// Head of a binary frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ImageHead<'a> {
-    /// Content of the pixels.
-    pub kind: PixelKind,
-    /// Name of the camera, of which at most 255 bytes are sent; empty if it is unknown.
-    pub camera: &'a str,
-    /// Session.
-    pub session: SessionId,
-    /// Number of the image in the session, from 0.
-    pub number: u32,
-    /// Width, px.
-    pub width: u16,
-    /// Height, px.
-    pub height: u16,
-    /// Time of the cycle that received the image, µs.
-    pub time_us: u64,
-    /// `id` of the request that the frame answers; 0 for a watched image.
-    pub id: u32,
-}
-
-impl ImageHead<'_> {
-    /// Returns the frame: the head, then the pixels.
-    #[must_use]
-    pub fn frame(&self, pixels: &[u8]) -> Vec<u8> {
-        let camera = truncate(self.camera, u8::MAX.into()).as_bytes();
-        let mut frame = Vec::with_capacity(HEAD_BYTES + camera.len() + pixels.len());
-        frame.extend([self.kind as u8, camera.len() as u8, 0, 0]);
-        frame.extend(self.session.to_le_bytes());
-        frame.extend(self.number.to_le_bytes());
-        frame.extend(self.width.to_le_bytes());
-        frame.extend(self.height.to_le_bytes());
-        frame.extend(self.time_us.to_le_bytes());
-        frame.extend(self.id.to_le_bytes());
-        frame.extend([0; 4]);
-        frame.extend(camera);
-        frame.extend(pixels);
-        frame
-    }
+/// Returns the frame of an image of a session with these pixels; `id` is that of the request that it answers, 0 for a watched image.
+#[must_use]
+pub fn image_frame(session: SessionId, image: &Image, (kind, pixels): (PixelKind, &[u8]), id: u32) -> Vec<u8> {
+    let camera = truncate(&image.camera, u8::MAX.into()).as_bytes();
+    let mut frame = Vec::with_capacity(HEAD_BYTES + camera.len() + pixels.len());
+    frame.extend([kind as u8, camera.len() as u8, 0, 0]);
+    frame.extend(session.to_le_bytes());
+    frame.extend(image.number.to_le_bytes());
+    frame.extend(image.width.to_le_bytes());
+    frame.extend(image.height.to_le_bytes());
+    frame.extend(image.time_us.to_le_bytes());
+    frame.extend(id.to_le_bytes());
+    frame.extend([0; 4]);
+    frame.extend(camera);
+    frame.extend(pixels);
+    frame
 }

@@ -1,28 +1,30 @@
 //! State of a robot at a time, and over time.
 
-use bica::{Hold, JobEnd};
+use bica::JobEnd;
 use bica_link::Shown;
 use bica_wire::message::{ComponentState, LogSource};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
-/// State of a component; a list in JSON.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct ComponentNow(
-    /// Whether it was visited in the last cycle.
-    pub bool,
-    /// Hold of the component.
-    pub Hold,
-    /// Index of its state, also of a latent one.
-    pub Option<u16>,
-    /// Requested rate, Hz; none: every cycle.
-    pub Option<f32>,
+/// State of a component; a list in JSON: active, hold, state, rate, and the time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ComponentNow {
+    /// The state after the last cycle.
+    pub state: ComponentState,
     /// Time of the last change of activation or state, µs.
-    pub u64,
-);
+    pub since_us: u64,
+}
 
-impl From<ComponentNow> for ComponentState {
-    fn from(ComponentNow(active, held, state, hz, _): ComponentNow) -> Self {
-        Self { active, held, state, hz }
+impl ComponentNow {
+    /// Returns whether the component is active, and its state, also that of a latent one.
+    pub(crate) const fn activity(&self) -> (bool, Option<u16>) {
+        (self.state.active, self.state.state)
+    }
+}
+
+impl Serialize for ComponentNow {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let ComponentState { active, held, state, hz } = self.state;
+        (active, held, state, hz, self.since_us).serialize(serializer)
     }
 }
 

@@ -109,7 +109,7 @@ pub(super) fn reached(targets: &[BreakpointTarget], before: &[Activity], changed
     let is_reached = |target: &&BreakpointTarget| {
         let change = changed.iter().find(|change| usize::from(change.component) == target.breakpoint.component);
         let both = change.and_then(|change| Some((*before.get(usize::from(change.component))?, change.now)));
-        both.is_some_and(|(before, now)| target.is_reached(before, (now.0, now.2)))
+        both.is_some_and(|(before, now)| target.is_reached(before, now.activity()))
     };
     targets.iter().filter(is_reached).map(|target| target.breakpoint).collect()
 }
@@ -129,11 +129,10 @@ pub(super) fn next(history: &History, targets: &[BreakpointTarget], from_us: u64
 
 /// Finds the first such time, judged by states only.
 fn next_seen(states: &States, targets: &[&BreakpointTarget], from_us: u64) -> Option<Reached> {
-    let activity = |now: &ComponentNow| (now.0, now.2);
-    let mut all: Vec<Activity> = states.base().iter().map(activity).collect();
+    let mut all: Vec<Activity> = states.base().iter().map(ComponentNow::activity).collect();
     for change in states.changes().filter(|change| change.visible) {
         let component = usize::from(change.component);
-        let now = activity(&change.now);
+        let now = change.now.activity();
         let before = std::mem::replace(all.get_mut(component)?, now);
         let mut here = targets.iter().filter(|target| target.breakpoint.component == component);
         if change.time_us > from_us
@@ -149,9 +148,9 @@ fn next_seen(states: &States, targets: &[&BreakpointTarget], from_us: u64) -> Op
 mod tests {
     use bica_link::{State, Transition};
 
+    use super::super::history::free;
     use super::*;
     use crate::sessions::history::Limits;
-    use bica::Hold;
 
     fn target(reach: Reach) -> BreakpointTarget {
         BreakpointTarget {
@@ -220,7 +219,7 @@ mod tests {
     fn the_next_time_is_found_after_the_cursor() {
         let mut states = States::new(1);
         for (time, state) in [(0, 0), (10, 1), (20, 0), (30, 1), (40, 1)] {
-            states.push(time, time / 10, std::iter::once((true, Hold::Tree, Some(state), None)));
+            states.push(time, time / 10, std::iter::once(free(true, Some(state))));
         }
         let at = |from_us| next_seen(&states, &[&target(Reach::State(1))], from_us).map(|reached| reached.time_us);
         assert_eq!([at(0), at(9), at(10), at(29), at(30)], [Some(10), Some(10), Some(30), Some(30), None]);

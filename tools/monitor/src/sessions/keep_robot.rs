@@ -6,10 +6,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use bica_recording::{Header, MonitorRecorder, RecordedCycle, Report, create};
-use bica_wire::message::ComponentState;
 use serde_json::{Value, json};
 
-use super::robot_recording::received;
+use super::robot_recording::write_image;
 use super::scenery::recorded_scenery;
 use super::session::Session;
 use crate::files::{WRITE_HELP, failed, make_folder_of};
@@ -56,8 +55,8 @@ fn write(session: &Session, mut recorder: MonitorRecorder<File>) -> io::Result<R
         let Some(last) = part.last() else { return Ok(recorder.finish(None, 0)) };
         after_us = Some(last.time_us);
         for part in part {
-            part.images.iter().try_for_each(|image| recorder.image(&received(image)))?;
-            let states = part.states.into_iter().map(ComponentState::from);
+            part.images.iter().try_for_each(|image| write_image(&mut recorder, image))?;
+            let states = part.states.iter().map(|now| now.state);
             let mut cycle = RecordedCycle::received(part.cycle, part.time_us, states);
             for (component, output, value) in &part.outputs {
                 cycle.add_output(*component, *output, Some(value));

@@ -21,7 +21,7 @@ use crate::options::Options;
 use crate::pages::{DataKind, Frame, Key};
 use crate::pages::{PageId, Pages, lock};
 use crate::program::{Image, Program, Remembered};
-use crate::protocol::binary::{ImageHead, PixelKind};
+use crate::protocol::binary::{PixelKind, image_frame};
 use crate::protocol::{
     Capabilities, Connection, Control, Failed, LogLine, SessionId, SessionInfo, SessionKind, ToPage,
 };
@@ -298,17 +298,7 @@ impl Session {
 
     /// Returns the binary frame of an image, or of the classes of its pixels.
     pub(super) fn image_frame(&self, image: &Image, (kind, pixels): (PixelKind, &[u8]), id: u32) -> Arc<[u8]> {
-        let head = ImageHead {
-            kind,
-            camera: &image.camera,
-            session: self.id,
-            number: image.number,
-            width: image.width,
-            height: image.height,
-            time_us: image.time_us,
-            id,
-        };
-        head.frame(pixels).into()
+        image_frame(self.id, image, (kind, pixels), id).into()
     }
 
     /// Returns the image with this number, from memory or from the file of a recording.

@@ -6,6 +6,7 @@ use bica_vicode::coverage::Visits;
 
 use super::session::Session;
 use super::value::unknown;
+use crate::protocol::ComponentNow;
 use crate::protocol::Failed;
 
 /// Excludes the gaps before a time, in which nothing was received.
@@ -35,12 +36,13 @@ impl Session {
         let (first, last) = shared.history.span();
         let own = states.changes().filter(|change| change.visible && usize::from(change.component) == component);
         let mut gaps = states.gaps().peekable();
-        let mut now = base.0.then(|| name(base.2)).flatten();
+        let named = |now: &ComponentNow| now.state.active.then(|| name(now.state.state)).flatten();
+        let mut now = named(base);
         visits.begin();
         visits.sample(first, now);
         for change in own {
             pass(&mut visits, &mut gaps, change.time_us, now);
-            now = change.now.0.then(|| name(change.now.2)).flatten();
+            now = named(&change.now);
             visits.sample(change.time_us, now);
         }
         pass(&mut visits, &mut gaps, last, now);

@@ -48,8 +48,9 @@ impl Shared {
         let described = self.description.as_ref()?.components.get(component)?;
         let known = self.history.conditions(component, time_us)?;
         let rest = |transition: &Transition| {
-            let now = state.filter(|now| now.0 && now.2.map(usize::from) == Some(transition.from))?;
-            let been_ms = time_us.saturating_sub(now.4) / 1000;
+            let is_from = |now: &&ComponentNow| now.activity() == (true, u16::try_from(transition.from).ok());
+            let now = state.filter(is_from)?;
+            let been_ms = time_us.saturating_sub(now.since_us) / 1000;
             let tuned = transition.after.and_then(|index| described.params.get(index)?.current().milliseconds());
             tuned.or(transition.after_ms).map(|after| u64::from(after).saturating_sub(been_ms) as u32)
         };
@@ -234,7 +235,7 @@ mod tests {
     fn late_watch_gets_the_last_message_before_a_pause() {
         let identity = (1, SessionKind::Robot, String::new());
         let session = Session::new(identity, Common::default(), Commands::of_nobody(), None);
-        let pixels: Arc<[u8]> = vec![0; 1 << 16].into();
+        let pixels = Arc::new(vec![0; 1 << 16]);
         for number in 0..500 {
             let time_us = 1_000_000 * u64::from(number);
             let yuyv = Arc::clone(&pixels);

@@ -1,7 +1,7 @@
 //! State of a game after a cycle.
 
+use bica::Tree;
 use bica::graph::Graph;
-use bica::{ComponentId, Tree};
 use bica_drawing::TreeState;
 use bica_evaluation::polar::Polar;
 use bica_motion::pose::Pose2;
@@ -41,12 +41,7 @@ impl Scene<'_> {
     /// Returns the state of the tree.
     #[must_use]
     pub fn tree(&self) -> TreeState<'static> {
-        let each = || (0..GRAPH.nodes.len()).map(ComponentId::new);
-        TreeState {
-            tree: &TREE,
-            active: each().map(|id| self.robot.at(id).is_ok_and(|component| component.is_active())).collect(),
-            states: each().map(|id| self.robot.state(id)).collect(),
-        }
+        TreeState::of(&TREE, self.robot)
     }
 
     /// Returns the estimated positions of ball and goal relative to the robot.

@@ -59,7 +59,7 @@ impl Story {
                 self.console.styled(if started { Style::New } else { Style::Plain }, &name)
             })
             .collect();
-        for id in scene.meter.stopped.iter().filter(|id| activates(id.index()) && !tree.active[id.index()]) {
+        for id in scene.meter.stopped.iter().filter(|id| activates(id.index()) && !tree.is_active(id.index())) {
             parts.push(self.console.styled(Style::Faint, &format!("-{}", tree.tree.components[id.index()].name)));
         }
         parts.join(" ")
@@ -102,7 +102,7 @@ fn columns(console: Console, time: &str, state: &str, (ball, goal): (&str, &str)
 
 /// Active components except the root.
 fn active(tree: &TreeState<'_>) -> impl Iterator<Item = usize> {
-    (0..tree.active.len()).filter(|&node| tree.active[node] && node != tree.tree.root)
+    tree.active().filter(|&node| node != tree.tree.root)
 }
 
 fn with_state(tree: &TreeState<'_>, node: usize) -> String {

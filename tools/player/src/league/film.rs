@@ -5,7 +5,7 @@ use std::sync::{Arc, PoisonError};
 use std::time::Duration;
 
 use bica::runner::{Runner, World};
-use bica::{ComponentId, Setting, Tree};
+use bica::{Setting, Tree};
 use bica_app::{Console, Failure, interrupt};
 use bica_drawing::TreeState;
 use bica_drawing::canvas::{Canvas, Rgb};
@@ -117,12 +117,7 @@ impl Film {
         let tilt = (body.inertial.roll, body.inertial.pitch);
         let shown = Shown { at: robot, tilt, angles: &body.angles, ball: self.ball };
         let picture = self.stage.draw(&shown, &camera).map_err(cannot_draw)?;
-        let each = || (0..Forward::GRAPH.nodes.len()).map(ComponentId::new);
-        let tree = TreeState {
-            tree: &self.description,
-            active: each().map(|id| forward.at(id).is_ok_and(|component| component.is_active())).collect(),
-            states: each().map(|id| forward.state(id)).collect(),
-        };
+        let tree = TreeState::of(&self.description, forward);
         let positions = [ball.map(|(at, seen)| Polar::new(at, seen)), goal.map(|at| Polar::new(at, false))];
         let sheet = sheet(&picture, Some(&seen(world.last_view())), t.as_secs_f64(), &tree, positions);
         self.last.replace(sheet).map_or(Ok(()), |last| self.gif.add(&last, 1))

@@ -21,17 +21,6 @@ const CHUNK_BYTES: usize = 1 << 20;
 /// Maximum number of images in a chunk: a reader keeps twice as many until it has read their cycles.
 const CHUNK_IMAGES: usize = MAX_BLOBS / 2;
 
-/// An image that a monitor has received.
-#[derive(Clone, Copy, Debug)]
-pub struct ReceivedImage<'a> {
-    /// Number, from 0.
-    pub number: u32,
-    /// Time of the cycle that received it, µs.
-    pub time_us: u64,
-    /// The pixels with their format.
-    pub blob: Blob<'a>,
-}
-
 impl RecordedCycle {
     /// Creates a cycle that a monitor has received: its number, its instant, µs, and the states of all components after it.
     #[must_use]
@@ -88,12 +77,12 @@ impl<S: Sink> MonitorRecorder<S> {
         self.output.length()
     }
 
-    /// Adds an image, before its cycle or after it. An image with too few or too many pixels is omitted.
+    /// Adds an image, before its cycle or after it: its number, from 0, the time of the cycle that received it, µs, and its pixels.
+    /// An image with too few or too many pixels is omitted.
     ///
     /// # Errors
     /// If a chunk cannot be written; then [`finish`](Self::finish) keeps what is complete.
-    pub fn image(&mut self, image: &ReceivedImage<'_>) -> io::Result<()> {
-        let ReceivedImage { number, time_us, blob } = image;
+    pub fn image(&mut self, number: u32, time_us: u64, blob: &Blob<'_>) -> io::Result<()> {
         if let Format::Yuyv { width, height } = blob.format
             && blob.bytes.len() != 2 * usize::from(width) * usize::from(height)
         {

@@ -9,8 +9,8 @@ use bica::{ComponentId, Hold};
 use bica_link::{Component, Description, Output, State};
 use bica_recording::repair::{recover, trim};
 use bica_recording::{
-    Error, Header, HoldsRecord, Info, LogLine, LogSource, MonitorRecorder, OutputRecord, OutputsRecord, ReceivedImage,
-    RecordedCycle, Recording, Report, RequestRecord, RunEvent, Tick, TreeRecord,
+    Error, Header, HoldsRecord, Info, LogLine, LogSource, MonitorRecorder, OutputRecord, OutputsRecord, RecordedCycle,
+    Recording, Report, RequestRecord, RunEvent, Tick, TreeRecord,
 };
 use bica_wire::message::Offers;
 use postcard_schema::Schema;
@@ -85,10 +85,6 @@ fn cycle(number: u64) -> RecordedCycle {
     cycle
 }
 
-fn image(number: u32, time_us: u64, yuyv: &[u8]) -> ReceivedImage<'_> {
-    ReceivedImage { number, time_us, blob: support::image(yuyv) }
-}
-
 /// Records cycles; every third one has an image, that comes some cycles late.
 fn record(disk: &Disk, cycles: u64, late: u64) -> std::io::Result<Report> {
     let mut recorder = MonitorRecorder::new(disk.clone(), &header())?;
@@ -96,7 +92,7 @@ fn record(disk: &Disk, cycles: u64, late: u64) -> std::io::Result<Report> {
         for number in 0..cycles {
             recorder.cycle(&cycle(number))?;
             if let Some(of) = number.checked_sub(late).filter(|of| of.is_multiple_of(3)) {
-                recorder.image(&image(of as u32 / 3, PERIOD_US * of, &pixels(of)))?;
+                recorder.image(of as u32 / 3, PERIOD_US * of, &support::image(&pixels(of)))?;
             }
         }
         Ok(())
@@ -151,7 +147,7 @@ fn many_small_images_find_their_cycles() {
     let mut recorder = MonitorRecorder::new(disk.clone(), &header()).expect("memory");
     let dark = [0; 2 * SIZE.0 as usize * SIZE.1 as usize];
     for number in 0..300 {
-        recorder.image(&image(number as u32, PERIOD_US * number, &dark)).expect("memory");
+        recorder.image(number as u32, PERIOD_US * number, &support::image(&dark)).expect("memory");
         recorder.cycle(&cycle(number)).expect("memory");
     }
     assert_eq!(recorder.finish(None, 0).cycles, 300);
@@ -164,7 +160,7 @@ fn many_small_images_find_their_cycles() {
 fn an_image_of_an_impossible_size_is_left_out() {
     let disk = Disk::default();
     let mut recorder = MonitorRecorder::new(disk.clone(), &header()).expect("memory");
-    recorder.image(&image(1, 0, &[0; 12])).expect("nothing is written");
+    recorder.image(1, 0, &support::image(&[0; 12])).expect("nothing is written");
     recorder.cycle(&cycle(0)).expect("memory");
     assert_eq!(recorder.finish(None, 0).reason, None);
     assert!(read(&disk.contents()[..]).iter().all(|(_, place)| place.is_none()));

@@ -119,8 +119,8 @@ fn monitor_sees_what_was_recorded() {
                 }
                 Event::Image(image) => {
                     let cycle = image.time_us / 10_000 % 60;
-                    assert!(with_image.contains(&cycle) && image.camera == "camera", "{cycle}");
-                    assert_eq!(image.yuyv, pixels(cycle));
+                    assert!(with_image.contains(&cycle) && &*image.camera == "camera", "{cycle}");
+                    assert_eq!(*image.yuyv, pixels(cycle));
                     missing.remove("image");
                 }
                 Event::Happened { kind, .. } if kind == "goal" => drop(missing.remove("event")),

@@ -9,8 +9,8 @@ use bica::{Blob, Format};
 use bica_link::{Component, Description, Output, Placement};
 use bica_recording::repair::{recover, trim};
 use bica_recording::{
-    Header, ImagePolicy, MonitorRecorder, OutputRecord, OutputsRecord, ReceivedImage, RecordedCycle, Recorder,
-    RecorderOptions, Tick, Topics, TreeRecord,
+    Header, ImagePolicy, MonitorRecorder, OutputRecord, OutputsRecord, RecordedCycle, Recorder, RecorderOptions, Tick,
+    Topics, TreeRecord,
 };
 use bica_wire::message::Offers;
 use postcard_schema::Schema;
@@ -179,8 +179,7 @@ fn monitored(seconds: u64) -> Messages {
     for number in 0..100 * seconds {
         let blob = Blob { bytes: &yuyv, format: Format::Yuyv { width: 640, height: 480 }, frame: "top_eye" };
         if number % 10 == 0 {
-            let image = ReceivedImage { number: number as u32, time_us: 10_000 * number, blob };
-            recorder.image(&image).expect("memory");
+            recorder.image(number as u32, 10_000 * number, &blob).expect("memory");
         }
         let values = outputs().into_iter().enumerate().map(|(index, (.., value))| {
             // Each second the component sees something in its first half.

@@ -18,6 +18,8 @@ use crate::protocol::{Costs, LogLine};
 
 pub(super) use images::Images;
 pub(super) use outputs::OutputStore;
+#[cfg(test)]
+pub(super) use states::free;
 pub(super) use states::{Change, States};
 pub(super) use timed::Timed;
 pub(super) use told::Told;

@@ -55,9 +55,8 @@ impl History {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Limits;
+    use super::super::{Limits, free};
     use super::*;
-    use bica::Hold;
     use bica_recording::RunEvent;
 
     /// History of 20 cycles of one component, which is active in every fourth cycle.
@@ -65,7 +64,7 @@ mod tests {
         let mut history = History::new(Limits { ring_us: None, output_bytes: 1000, image_bytes: 1000 }, 1);
         for cycle in 0..20 {
             let time_us = cycle * 1000;
-            history.states.push(time_us, cycle, [(cycle % 4 == 0, Hold::Tree, None, None)].into_iter());
+            history.states.push(time_us, cycle, std::iter::once(free(cycle % 4 == 0, None)));
             // The value changes in cycle 10.
             history.outputs.push(0, 1, time_us, &[cycle as u8 / 10]);
             if cycle % 5 == 2 {
@@ -75,7 +74,7 @@ mod tests {
                     camera: "".into(),
                     width: 2,
                     height: 1,
-                    yuyv: [0; 4].into(),
+                    yuyv: vec![0; 4].into(),
                 };
                 history.images.push(image);
                 let happened = RunEvent { at_ns: 0, kind: "goal".to_owned(), detail: String::new() };
@@ -98,7 +97,7 @@ mod tests {
                 all.extend(part);
             }
             assert_eq!(all.iter().map(|one| one.cycle).collect::<Vec<_>>(), (0..=17).collect::<Vec<_>>());
-            assert!(all.iter().all(|one| one.states[0].0 == (one.cycle % 4 == 0)), "{size}");
+            assert!(all.iter().all(|one| one.states[0].state.active == (one.cycle % 4 == 0)), "{size}");
             let with = |is: &dyn Fn(&CyclePart) -> bool| -> Vec<u64> {
                 all.iter().filter(|one| is(one)).map(|one| one.cycle).collect()
             };
@@ -120,7 +119,7 @@ mod tests {
         history.states.evict(5000);
         history.outputs.evict(5000);
         let part = history.part(None, u64::MAX, 1);
-        assert_eq!((part[0].cycle, part[0].states[0].0), (5, false));
+        assert_eq!((part[0].cycle, part[0].states[0].state.active), (5, false));
         assert_eq!(part[0].outputs.iter().map(|output| &*output.2).collect::<Vec<_>>(), [[0]]);
     }
 }

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use crate::protocol::ComponentNow;
 use bica::Hold;
+use bica_wire::message::ComponentState;
 
 /// A change of a component.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +37,12 @@ pub(crate) struct States {
 /// Largest number of gaps.
 const MAX_GAPS: usize = 1000;
 
-const UNKNOWN: ComponentNow = ComponentNow(false, Hold::Tree, None, None, 0);
+const UNKNOWN: ComponentNow = ComponentNow { state: free(false, None), since_us: 0 };
+
+/// Returns the state of a component that is not held and has no rate.
+pub(crate) const fn free(active: bool, state: Option<u16>) -> ComponentState {
+    ComponentState { active, held: Hold::Tree, state, hz: None }
+}
 
 impl States {
     pub(crate) fn new(components: usize) -> Self {
@@ -60,12 +66,12 @@ impl States {
         self.gaps.iter()
     }
 
-    /// Adds a cycle: for each component whether it is active, hold, state, rate. Returns the changes.
+    /// Adds a cycle with the states of all components. Returns the changes.
     pub(crate) fn push(
         &mut self,
         time_us: u64,
         cycle: u64,
-        components: impl Iterator<Item = (bool, Hold, Option<u16>, Option<f32>)>,
+        components: impl Iterator<Item = ComponentState>,
     ) -> Vec<Change> {
         let is_first = self.ticks.is_empty();
         let before = self.last().filter(|(last, _)| *last < time_us);
@@ -77,13 +83,13 @@ impl States {
         }
         self.ticks.push_back((time_us, cycle));
         let mut changed = Vec::new();
-        for (component, (active, held, state, hz)) in components.enumerate().take(self.current.len()) {
+        for (component, state) in components.enumerate().take(self.current.len()) {
             let last = self.current[component];
-            let visible = is_first || (active, state) != (last.0, last.2);
-            if !visible && (held, hz) == (last.1, last.3) {
+            let visible = is_first || (state.active, state.state) != last.activity();
+            if !visible && state == last.state {
                 continue;
             }
-            let now = ComponentNow(active, held, state, hz, if visible { time_us } else { last.4 });
+            let now = ComponentNow { state, since_us: if visible { time_us } else { last.since_us } };
             self.current[component] = now;
             changed.push(Change { time_us, component: component as u16, visible, now });
         }

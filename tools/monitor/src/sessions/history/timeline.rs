@@ -46,7 +46,7 @@ impl History {
             .map(|base| Drawing {
                 bars: Vec::new(),
                 merged: false,
-                open: base.0.then_some((begin, base.2)),
+                open: base.state.active.then_some((begin, base.state.state)),
                 resolution: resolution_us,
             })
             .collect();
@@ -70,7 +70,7 @@ impl History {
             if change.time_us > begin {
                 row.close(time);
             }
-            row.open = change.now.0.then_some((time, change.now.2));
+            row.open = change.now.state.active.then_some((time, change.now.state.state));
         }
         for gap in gaps {
             for row in &mut rows {
@@ -100,16 +100,15 @@ impl History {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Limits;
+    use super::super::{Limits, free};
     use super::*;
-    use bica::Hold;
 
     /// History of one component, from `(active, state)` in each ms.
     fn history(states: &[(bool, u16)], ring_us: Option<u64>) -> History {
         let mut history = History::new(Limits { ring_us, output_bytes: 1000, image_bytes: 1000 }, 1);
         for (index, &(active, state)) in states.iter().enumerate() {
-            let one = (active, Hold::Tree, Some(state), None);
-            history.states.push(index as u64 * 1000, index as u64, std::iter::once(one));
+            let one = std::iter::once(free(active, Some(state)));
+            history.states.push(index as u64 * 1000, index as u64, one);
             history.evict();
         }
         history
@@ -141,7 +140,7 @@ mod tests {
         let mut history = history(&[(true, 0); 3], None);
         history.interrupt();
         for (time_us, active) in [(7000, true), (8000, true), (9000, false)] {
-            history.states.push(time_us, time_us / 1000, std::iter::once((active, Hold::Tree, Some(0), None)));
+            history.states.push(time_us, time_us / 1000, std::iter::once(free(active, Some(0))));
         }
         assert_eq!(history.states.gaps().collect::<Vec<_>>(), [&(2000, 7000)]);
         let bars = |from, until| history.rows(from, until, 0)[0].bars.clone();
@@ -160,8 +159,8 @@ mod tests {
     fn a_state_that_changed_in_a_gap_begins_after_it() {
         let mut history = history(&[(true, 0); 3], None);
         history.interrupt();
-        history.states.push(7000, 7, std::iter::once((true, Hold::Tree, Some(1), None)));
-        history.states.push(8000, 8, std::iter::once((true, Hold::Tree, Some(1), None)));
+        history.states.push(7000, 7, std::iter::once(free(true, Some(1))));
+        history.states.push(8000, 8, std::iter::once(free(true, Some(1))));
         assert_eq!(history.rows(0, 99_000, 0)[0].bars, [Bar(0, 2000, Some(0)), Bar(7000, 8000, Some(1))]);
     }
 
@@ -176,9 +175,9 @@ mod tests {
     fn state_at_a_time_is_of_the_last_cycle_before() {
         let history = history(&COURSE, None);
         let (time, cycle, states) = history.states.at(3999).unwrap();
-        assert_eq!((time, cycle, states[0].0, states[0].2, states[0].4), (3000, 3, true, Some(1), 3000));
+        assert_eq!((time, cycle, states[0].activity(), states[0].since_us), (3000, 3, (true, Some(1)), 3000));
         let (time, _, states) = history.states.at(5500).unwrap();
-        assert_eq!((time, states[0].0, states[0].4), (5000, false, 5000));
+        assert_eq!((time, states[0].state.active, states[0].since_us), (5000, false, 5000));
     }
 
     #[test]
@@ -186,6 +185,6 @@ mod tests {
         let history = history(&COURSE, Some(3500));
         assert_eq!(history.span(), (4000, 7000));
         assert_eq!(history.rows(0, 99_000, 0)[0].bars, [Bar(4000, 5000, Some(1)), Bar(6000, 7000, Some(1))]);
-        assert_eq!(history.states.at(4000).unwrap().2[0].2, Some(1));
+        assert_eq!(history.states.at(4000).unwrap().2[0].state.state, Some(1));
     }
 }

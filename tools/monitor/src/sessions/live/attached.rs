@@ -13,7 +13,7 @@ use serde_json::Value;
 use super::inbox::{Exit, Inbox};
 use super::operation::Operation;
 use super::returned::is_same_run;
-use crate::protocol::{Capabilities, Connection, LogLine, Reached, Request, ToPage};
+use crate::protocol::{Capabilities, ComponentNow, Connection, LogLine, Reached, Request, ToPage};
 use crate::sessions::breakpoint_target::{self, Activity};
 use crate::sessions::commands::Command;
 use crate::sessions::history::Told;
@@ -230,18 +230,20 @@ impl<'a> Attached<'a> {
     fn snapshot(&mut self, snapshot: &Snapshot) {
         self.session.record_robot(|recorder| recorder.snapshot(snapshot, &self.session.name, &self.client));
         let Snapshot { info, states } = snapshot;
-        let states = states.iter().map(|state| (state.active, state.held, state.state, state.hz));
         let mut shared = self.session.shared();
         (shared.images_taken, shared.overruns) = (info.images, info.overruns);
         shared.received = Some(Instant::now());
         let ends_gap = shared.history.states.is_interrupted();
-        let before: Vec<Activity> = shared.history.states.current().iter().map(|now| (now.0, now.2)).collect();
-        let changed = shared.history.states.push(info.time_us, info.cycle, states);
+        let before: Vec<Activity> = shared.history.states.current().iter().map(ComponentNow::activity).collect();
+        let changed = shared.history.states.push(info.time_us, info.cycle, states.iter().copied());
         // A program that sends conditions checks the stops itself.
         let targets = if shared.can.conditions { &[] } else { &shared.breakpoints[..] };
         let reached = breakpoint_target::reached(targets, &before, &changed);
         let visible = changed.iter().filter(|change| change.visible);
-        let brief = visible.map(|change| (usize::from(change.component), change.time_us, change.now.0, change.now.2));
+        let brief = visible.map(|change| {
+            let (active, state) = change.now.activity();
+            (usize::from(change.component), change.time_us, active, state)
+        });
         self.changes.extend(brief);
         if self.changes.len() > MAX_SAMPLES {
             let surplus = self.changes.len() - MAX_SAMPLES;

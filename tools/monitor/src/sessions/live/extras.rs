@@ -6,7 +6,6 @@ use bica_link::{Costs, Event};
 use bica_wire::message::{ComponentCost as LinkCost, ExtraKind, Offers, Reached as LinkReached, StopAt, Taken};
 
 use super::attached::Attached;
-use crate::program::Image;
 use crate::protocol::{self, Breakpoint, ComponentCost, Reached};
 
 /// Interval of conditions and of the true state, cycles, while the world is not paused.
@@ -72,7 +71,6 @@ impl Attached<'_> {
             Event::Result(text) => self.session.set_result(text),
             // An image of which a part was lost is empty.
             Event::Image(image) if !image.yuyv.is_empty() => {
-                let image = stored(image);
                 self.session.record_robot(|recorder| recorder.image(&image));
                 self.session.show_image(image);
             }
@@ -106,8 +104,4 @@ fn page_reached(&LinkReached { time_us, stop, .. }: &LinkReached) -> Reached {
         StopAt::Transition(transition) => (None, Some(transition.into())),
     };
     Reached { time_us, breakpoint: Breakpoint { component: stop.component.into(), state, transition } }
-}
-
-fn stored(bica_link::Image { number, time_us, camera, width, height, yuyv }: bica_link::Image) -> Image {
-    Image { number, time_us, camera: camera.into(), width, height, yuyv: yuyv.into() }
 }

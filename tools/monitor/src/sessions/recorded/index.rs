@@ -8,6 +8,7 @@ use bica::Hold;
 use bica::runner::OwnedRequest;
 use bica_link::Description;
 use bica_recording::{Ending, Error, Header, HoldsRecord, Recording, RequestRecord};
+use bica_wire::message::ComponentState;
 
 use crate::files;
 use crate::files::failed;
@@ -177,9 +178,9 @@ fn batch(
             requested.replace(holds);
         }
         let components = requested.holds.iter().zip(&requested.rates).enumerate();
-        let states = components.map(|(index, (hold, hz))| {
+        let states = components.map(|(index, (&held, &hz))| {
             let state = cycle.tree.state(index).map(|state| state as u16);
-            (cycle.tree.is_active(index), *hold, state, *hz)
+            ComponentState { active: cycle.tree.is_active(index), held, state, hz }
         });
         shared.history.states.push(time_us, cycle.tick.cycle, states);
         if let Some(place) = place {

@@ -10,7 +10,7 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use bica::{Blob, Format};
-use bica_recording::{Header, MonitorRecorder, ReceivedImage, RecordedCycle, create};
+use bica_recording::{Header, MonitorRecorder, RecordedCycle, create};
 
 use crate::pages::lock;
 use crate::program::Image;
@@ -30,10 +30,10 @@ pub(in crate::sessions) fn unused(path: &Path) -> PathBuf {
     std::iter::once(path.to_owned()).chain((2..=u32::MAX).map(numbered)).find(|path| !path.exists()).unwrap_or_default()
 }
 
-/// Converts an image of a session to an image of a recording.
-pub(in crate::sessions) fn received(image: &Image) -> ReceivedImage<'_> {
+/// Writes an image of a session.
+pub(in crate::sessions) fn write_image(recorder: &mut MonitorRecorder<File>, image: &Image) -> io::Result<()> {
     let Image { number, time_us, ref camera, width, height, ref yuyv } = *image;
-    ReceivedImage { number, time_us, blob: Blob { bytes: yuyv, format: Format::Yuyv { width, height }, frame: camera } }
+    recorder.image(number, time_us, &Blob { bytes: yuyv, format: Format::Yuyv { width, height }, frame: camera })
 }
 
 enum Entry {
@@ -142,7 +142,7 @@ fn write(file: File, header: &Header, entries: &Receiver<Entry>, progress: &Prog
             Ok(Entry::Cycle(cycle)) => recorder.cycle(&cycle),
             Ok(Entry::Image(image)) => {
                 progress.waiting.fetch_sub(1, Ordering::Relaxed);
-                recorder.image(&received(&image))
+                write_image(&mut recorder, &image)
             }
             Err(RecvTimeoutError::Timeout) => Ok(()),
             Err(RecvTimeoutError::Disconnected) => break lock(&progress.ended).clone().map_or(Ok(()), Err),

@@ -3,5 +3,5 @@
 mod file;
 mod writer;
 
-pub(super) use file::{received, unused};
+pub(super) use file::{unused, write_image};
 pub(super) use writer::RobotRecorder;

@@ -134,8 +134,8 @@ fn write(sheet: &mut Canvas, t: f64, tree: &TreeState<'_>, [ball, goal]: [Option
     sheet.write(line(0), Font::Title, TEXT, &format!("{t:6.1} s  {state}"));
     sheet.write(line(1), Font::Normal, TEXT, &format!("ball {}", describe(ball)));
     sheet.write(line(2), Font::Normal, TEXT, &format!("goal {}", describe(goal)));
-    let activates = |node: &usize| tree.active[*node] && *node != tree.tree.root;
-    let nodes = (0..tree.active.len()).filter(activates).filter(|node| !tree.tree.components[*node].links.is_empty());
+    let activates = |node: &usize| *node != tree.tree.root && !tree.tree.components[*node].links.is_empty();
+    let nodes = tree.active().filter(activates);
     let names: Vec<&str> = nodes.take(MAX_NAMES).map(|node| &*tree.tree.components[node].name).collect();
     for (row, names) in names.chunks(MAX_NAMES / 2).enumerate() {
         sheet.write(line(3 + row), Font::Small, FAINT, &names.join("  "));
