@@ -1,18 +1,16 @@
 #!/usr/bin/env python3
 """Counts the instructions of the forward's tick beyond its steps: the cost of the framework.
 
-Observes the example `overhead` by callgrind, which reports the instructions since its last report whenever a section of a component's
+Observes the program `overhead` by callgrind, which reports the instructions since its last report whenever a section of a component's
 own code begins or ends.
 """
 
-import json
 import pathlib
 import subprocess
 import tempfile
 
-from budget import ROOT
+from budget import executable
 
-BUILD = "cargo build --profile dist --package bica-benches --example overhead --message-format=json-render-diagnostics".split()
 VALGRIND = [
     "valgrind", "--quiet", "--tool=callgrind", "--combine-dumps=yes", "--collect-atstart=no", "--toggle-collect=*counted_*",
     "--dump-before=*section_begins*", "--dump-before=*section_ends*",
@@ -30,11 +28,9 @@ def outside(report):
 
 
 def main():
-    lines = subprocess.run(BUILD, check=True, stdout=subprocess.PIPE, text=True, cwd=ROOT).stdout.splitlines()
-    program = [message["executable"] for message in map(json.loads, lines) if message.get("executable")][-1]
     with tempfile.TemporaryDirectory() as folder:
         report = pathlib.Path(folder, "report")
-        observe = [*VALGRIND, f"--callgrind-out-file={report}", program]
+        observe = [*VALGRIND, f"--callgrind-out-file={report}", executable("overhead")]
         printed = subprocess.run(observe, check=True, stdout=subprocess.PIPE, text=True).stdout
         counts = list(outside(report.read_text()))
     # Empty sections measure the cost of the probe's calls.
