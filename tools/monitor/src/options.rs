@@ -46,8 +46,8 @@ impl Default for Options {
             spool: spool(),
             read_only: false,
             ring: Duration::from_mins(10),
-            image_bytes: 96 << 20,
-            output_bytes: 64 << 20,
+            image_bytes: 32 << 20,
+            output_bytes: 40 << 20,
         }
     }
 }

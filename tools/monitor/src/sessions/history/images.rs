@@ -4,20 +4,27 @@ use std::collections::VecDeque;
 
 use crate::program::Image;
 
-/// Recent images, in bounded memory.
+/// Of so many images one stays in the older half of the memory.
+const THINNING: usize = 4;
+
+/// Recent images, in bounded memory: all of the newer half, and one of [`THINNING`] of the older half.
 #[derive(Debug, Default)]
 pub(crate) struct Images {
     all: VecDeque<Image>,
     bytes: usize,
     max_bytes: usize,
+    /// Number of images at the front that are thinned.
+    thinned: usize,
+    /// Number of images that gave way since the last one that stayed.
+    removed: usize,
 }
 
 impl Images {
     pub(super) const fn new(max_bytes: usize) -> Self {
-        Self { all: VecDeque::new(), bytes: 0, max_bytes }
+        Self { all: VecDeque::new(), bytes: 0, max_bytes, thinned: 0, removed: 0 }
     }
 
-    /// Adds the newest image, and removes the oldest ones if the memory is full. A repeated image is ignored.
+    /// Adds the newest image; older ones give way if the memory is full. A repeated image is ignored.
     pub(crate) fn push(&mut self, image: Image) {
         if self.all.back().is_some_and(|last| (last.number, last.time_us) == (image.number, image.time_us)) {
             return;
@@ -25,12 +32,30 @@ impl Images {
         self.bytes += image.yuyv.len();
         self.all.push_back(image);
         while self.bytes > self.max_bytes && self.all.len() > 1 {
+            self.give_way();
+        }
+    }
+
+    /// Removes an image: the next one between both halves, or the oldest one.
+    fn give_way(&mut self) {
+        if self.removed == THINNING - 1 {
+            (self.removed, self.thinned) = (0, self.thinned + 1);
+        }
+        if self.thinned < self.all.len() / 2 {
+            self.removed += 1;
+            self.remove(self.thinned);
+        } else {
             self.pop();
         }
     }
 
     fn pop(&mut self) {
-        if let Some(image) = self.all.pop_front() {
+        self.thinned = self.thinned.saturating_sub(1);
+        self.remove(0);
+    }
+
+    fn remove(&mut self, index: usize) {
+        if let Some(image) = self.all.remove(index) {
             self.bytes -= image.yuyv.len();
         }
     }
@@ -75,19 +100,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_oldest_images_give_way() {
-        let mut images = Images::new(100);
-        for number in 0..10 {
-            let time_us = u64::from(number) * 10;
+    fn old_images_give_way() {
+        let mut images = Images::new(610);
+        for number in 0..1000 {
             let yuyv = vec![0; 30].into();
-            images.push(Image { number, time_us, camera: "".into(), width: 5, height: 3, yuyv });
+            images.push(Image { number, time_us: u64::from(number), camera: "".into(), width: 5, height: 3, yuyv });
+            assert!(images.bytes() <= 610);
         }
-        assert_eq!(images.bytes(), 90);
-        assert!(images.get(6).is_none());
-        assert_eq!(images.get(7).unwrap().time_us, 70);
-        assert_eq!(images.at(85).unwrap().number, 8);
-        assert!(images.at(69).is_none());
-        images.evict(1000);
-        assert_eq!(images.at(1000).unwrap().number, 9, "the newest one stays");
+        assert_eq!(images.bytes(), 600);
+        let numbers: Vec<_> = images.part(None, 1000).map(|image| image.number).collect();
+        let [older, newer] = [&numbers[..10], &numbers[10..]];
+        assert_eq!(newer, (990..1000).collect::<Vec<_>>());
+        assert!(older[..9].windows(2).all(|pair| (3..=5).contains(&(pair[1] - pair[0]))), "{older:?}");
+        assert!(older[0] <= 955, "{older:?}");
+        assert_eq!(images.at(995).unwrap().number, 995);
+        assert_eq!(images.at(u64::from(older[4]) + 2).unwrap().number, older[4]);
+        assert!(images.get(older[4] + 1).is_none() && images.at(900).is_none());
+        images.evict(2000);
+        assert_eq!(images.at(2000).unwrap().number, 999, "the newest one stays");
     }
 }
