@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use bica_motion::health::{Fault, Health};
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::NAO;
+use bica_motion::model::{NAO, T1};
 use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_motion::stiffness::Stiffness;
@@ -154,6 +154,17 @@ fn one_silent_foot_is_a_fault_and_two_are_not() {
         (sensors.left_foot, sensors.right_foot) = (FootPressure::default(), FootPressure::default());
     });
     assert_eq!(lifted, None);
+}
+
+#[test]
+fn estimated_force_is_no_fault_of_a_foot() {
+    let mut health = Health::new(T1);
+    for cycle in 0..2000 {
+        let right_foot = FootPressure { front_left: 300.0, ..FootPressure::default() };
+        let sensors = Sensors { angles: T1.stand, left_foot: FootPressure::default(), right_foot, ..standing(cycle) };
+        health.step(&sensors, &T1.stand, &Stiffness::Walk.joints(T1));
+    }
+    assert_eq!(health.fault(), None);
 }
 
 #[test]
