@@ -168,6 +168,19 @@ fn estimated_force_is_no_fault_of_a_foot() {
 }
 
 #[test]
+fn joint_of_a_t1_may_rest_beside_its_target() {
+    for (model, fault) in [(NAO, Some(Fault::Stuck(Joint::LHipRoll))), (T1, None)] {
+        let (mut health, mut targets) = (Health::new(model), model.stand);
+        targets[Joint::LHipRoll] += 0.4;
+        for cycle in 0..300 {
+            let sensors = Sensors { angles: model.stand, ..standing(cycle) };
+            health.step(&sensors, &targets, &Stiffness::Walk.joints(model));
+        }
+        assert_eq!(health.fault(), fault, "{}", model.id);
+    }
+}
+
+#[test]
 fn unloaded_foot_is_no_fault() {
     let on_right_foot = |sensors: &mut Sensors<'_>| {
         sensors.left_foot = FootPressure::default();

@@ -9,13 +9,10 @@ const RESTING_HEAD_DEVIATION: f32 = 0.08;
 /// Number of cycles of 10 ms after which a deviating joint is stuck.
 const DEVIATION_CYCLES: u8 = 100;
 /// Deviation from which on a leg joint that does not move is evidence, rad, and how much it is in a cycle of 10 ms. In a get-up the ground
-/// holds hip rolls 0.3 rad from their targets for seconds.
+/// holds hip rolls 0.3 rad from their targets for seconds. See [`RobotModel::stuck_evidence`](crate::model::RobotModel::stuck_evidence).
 const RESTING: (f32, u8) = (0.3, 2);
 /// The same of a robot that is not upright.
 const RESTING_DOWN: (f32, u8) = (0.2, 1);
-/// Sum of the evidence, since a joint moved last, with which it is stuck. A joint that the ground or an obstacle blocks has less than 80:
-/// 200 get-ups of a NAO in MuJoCo, of which 120 beside goal posts, in the goal or beside another robot.
-const EVIDENCE: u8 = 100;
 /// Least swing of a target, rad: the legs' swing in a walk is more.
 const SWING: f32 = 0.04;
 /// Number of swings to alternating sides after which a joint that has not moved is stuck. A motion that the ground blocks is one or two
@@ -29,7 +26,7 @@ pub(super) const STILL: f32 = 0.01;
 pub(super) struct Following {
     /// Number of cycles for which the joint has deviated.
     deviates: u8,
-    /// Evidence since the joint moved last, see [`EVIDENCE`].
+    /// Evidence since the joint moved last, see [`RESTING`].
     evidence: u8,
     /// Number of swings of the target since the joint moved last, and whether the present one is upwards.
     swings: u8,
@@ -47,8 +44,15 @@ impl Following {
     }
 
     /// Processes the target and the angle of one cycle, rad; whether the joint is stuck. The ground may block a robot that is not upright:
-    /// there only a joint that does not move is.
-    pub(super) fn is_stuck(&mut self, target: f32, angle: f32, is_head: bool, upright: bool) -> bool {
+    /// there only a joint that does not move is. With `enough` evidence it is stuck.
+    pub(super) fn is_stuck(
+        &mut self,
+        target: f32,
+        angle: f32,
+        is_head: bool,
+        upright: bool,
+        enough: Option<u8>,
+    ) -> bool {
         let has_moved = self.moves(angle);
         if has_moved {
             *self = Self { deviates: self.deviates, turn: target, ..Self::at(angle) };
@@ -70,7 +74,8 @@ impl Following {
         if upright {
             self.swing(target);
         }
-        self.deviates >= DEVIATION_CYCLES || self.evidence >= EVIDENCE || self.swings >= SWINGS
+        let rests = enough.is_some_and(|enough| self.evidence >= enough);
+        rests || self.deviates >= DEVIATION_CYCLES || self.swings >= SWINGS
     }
 
     /// Processes the angle of a cycle, rad, in which the joint need not follow: what it did before still counts if it does not move.

@@ -149,7 +149,7 @@ impl Health {
                 following.pause(angle);
                 return found;
             }
-            let is_stuck = following.is_stuck(target, angle, is_head(joint), upright);
+            let is_stuck = following.is_stuck(target, angle, is_head(joint), upright, self.model.stuck_evidence);
             found.or(is_stuck.then_some(Fault::Stuck(joint)))
         })
     }

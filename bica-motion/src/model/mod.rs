@@ -144,6 +144,9 @@ pub struct RobotModel {
     pub arm: ArmGeometry,
     /// What the robot measures.
     pub senses: Senses,
+    /// Evidence with which a leg joint that rests beside its target is stuck: two for each cycle of 10 ms from 0.3 rad on if the torso
+    /// is upright, one from 0.2 rad on if it is not. `None` if the ground may hold the joints of this robot longer, as in its get-ups.
+    pub stuck_evidence: Option<u8>,
 }
 
 impl RobotModel {

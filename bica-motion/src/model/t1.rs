@@ -63,6 +63,8 @@ pub const T1: &RobotModel = &RobotModel {
         forearm: Vec3::new(0.0, 0.1471, 0.0),
     }),
     senses: Senses::NONE,
+    // After 2 of 48 get-ups in MuJoCo a hip roll had 100.
+    stuck_evidence: None,
 };
 
 /// The stand of the gait in the simulation league; the feet are 14 mm nearer to the middle than in that of `MuJoCo`.
