@@ -63,7 +63,7 @@ pub const T1: &RobotModel = &RobotModel {
         forearm: Vec3::new(0.0, 0.1471, 0.0),
     }),
     senses: Senses::NONE,
-    // After 2 of 48 get-ups in MuJoCo a hip roll had 100.
+    // In 2 of 48 get-ups in MuJoCo the ground held a hip roll until the evidence was 100.
     stuck_evidence: None,
 };
 
