@@ -127,6 +127,11 @@ impl Node {
         }
     }
 
+    /// Whether visits of the component are put off to the end of the cycle.
+    pub(crate) const fn is_last(&self) -> bool {
+        matches!(self.writers, Some(InForce::Last))
+    }
+
     /// Returns the component's type as the tree lists it.
     #[must_use]
     pub fn type_name(&self) -> &'static str {

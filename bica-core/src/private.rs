@@ -24,20 +24,20 @@ pub use crate::rate::Rate;
 pub use crate::role::{
     Checked, Fills, Named, Provide, ProvidedBy, Role, RoleName, Unnamed, assert_asked, assert_filled, assert_provided,
 };
-pub use crate::tree::borrow::{Read, Slot, Write, WriteRate};
 pub use crate::tree::component_state::ComponentState;
-pub use crate::tree::cycle::{Cycle, Machine, Visit, is_shared, visits_at_rate};
 pub use crate::tree::cycle_state::VisitOutcome;
 pub use crate::tree::deferred::{deferred, is_deferred};
-pub use crate::tree::engine::Engine;
 pub use crate::tree::going::goes;
+pub use crate::tree::layout::borrow::{Read, Write, WriteRate};
+pub use crate::tree::layout::{Cycle, Engine, Machine, Slot, Visit, WorkOf, visits_at_rate};
+pub use crate::tree::member::is_shared;
 pub use crate::tree::plan::{Planned, Plans};
 pub use crate::tree::results::assert_end;
 pub use crate::tree::steady::{is_fixed, visits_first};
 pub use crate::tree::written::{DistinctLinks, Target, WrittenKind, WrittenLink, assert_single_link, counts};
 pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};
 pub use crate::visual::{Frame, Placement, Visual};
-pub use crate::work::{Jobs, Work, WorkCell, WorkOf, WorkSlot, Working};
+pub use crate::work::{Jobs, Work, WorkCell, WorkSlot, Working};
 
 #[cfg(any(feature = "output", feature = "wire"))]
 pub use crate::marked::Unmarked;

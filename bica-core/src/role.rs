@@ -3,9 +3,12 @@
 use core::marker::PhantomData;
 
 use crate::graph::{Graph, Link};
-use crate::params::declare::equal;
 use crate::text::Text;
 use crate::tree::Has;
+
+mod name;
+
+pub use name::RoleName;
 
 /// Tree `Self` names the component that provides the role `R`, the type `dyn Trait` of a trait with `#[role]`.
 ///
@@ -21,29 +24,6 @@ pub trait Fills<R: ?Sized>: Has<<Self as Fills<R>>::Provider> {
     /// Index of the role in [`Graph::roles`].
     #[doc(hidden)]
     const ROLE: usize;
-}
-
-/// The name of a role, the same by whatever path it is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct RoleName {
-    /// The module of its trait.
-    pub module: &'static str,
-    /// The trait's name.
-    pub name: &'static str,
-}
-
-impl RoleName {
-    const fn equals(self, other: Self) -> bool {
-        equal(self.name, other.name) && equal(self.module, other.module)
-    }
-
-    const fn is_in(self, names: &[Self]) -> bool {
-        let mut index = 0;
-        while index < names.len() && !self.equals(names[index]) {
-            index += 1;
-        }
-        index < names.len()
-    }
 }
 
 /// The type `dyn Trait` of a trait with `#[role]`; no value of it ever exists.

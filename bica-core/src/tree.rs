@@ -15,16 +15,16 @@ use crate::rate::Rate;
 use crate::refusal::{Reason, Refusal};
 
 mod activation;
-pub(crate) mod borrow;
 pub(crate) mod component_state;
-pub(crate) mod cycle;
+mod cycle;
 pub(crate) mod cycle_state;
 pub(crate) mod deferred;
-pub(crate) mod engine;
+mod engine;
 pub(crate) mod going;
 mod handle;
-mod layout;
+pub(crate) mod layout;
 mod lone_machine;
+pub(crate) mod member;
 mod operate;
 pub(crate) mod plan;
 pub(crate) mod results;
@@ -34,7 +34,7 @@ mod visit;
 pub(crate) mod written;
 
 pub use handle::Handle;
-pub use layout::{Has, Layout, Member, MemberOf, ParamsOf};
+pub use layout::{Has, Layout, Member, MemberOf, ParamsOf, WorkOf};
 pub use lone_machine::LoneMachine;
 
 /// A tree of components, made by `activation_tree!`.

@@ -15,16 +15,18 @@ use core::cell::{RefCell, RefMut};
 
 use embassy_time::Instant;
 
-use crate::component::Component;
 use crate::id::ComponentId;
+pub use crate::tree::WorkOf;
 use crate::tree::{Has, Member, Tree};
 
 mod cycle;
 mod job;
+mod slot;
 
 pub(crate) use cycle::{cycle, drop_all};
 pub use job::Jobs;
 use job::Phase;
+pub use slot::{JobEnd, Taken, WorkSlot};
 
 /// The jobs of component `C`, one at a time: an argument `work: &mut Work<Self>` of its step, states and hooks.
 ///
@@ -89,41 +91,6 @@ pub trait Working: Sized + 'static {
     fn slice(state: &mut Self::State) -> Option<Self::Output>;
 }
 
-/// How a job ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema))]
-#[cfg_attr(feature = "wire", serde(rename_all = "snake_case"))]
-pub enum JobEnd {
-    /// With a result, in the first cycle at or after its due time or before that.
-    OnTime,
-    /// With a result, in a later cycle.
-    Late,
-    /// It panicked: there is no result.
-    Failed,
-}
-
-impl JobEnd {
-    /// Says it of a job: `has ended late`.
-    #[must_use]
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::OnTime => "has ended",
-            Self::Late => "has ended late",
-            Self::Failed => "has failed",
-        }
-    }
-}
-
-/// A job that a runner takes away.
-pub struct Taken<S> {
-    /// Number of the job: a result of another number is dropped.
-    pub ticket: u32,
-    /// Due time: instant of the cycle in which it was begun, and the declared time.
-    pub due: Instant,
-    /// What it owns.
-    pub state: S,
-}
-
 /// Runs a job to its end.
 pub fn finish<C: Working>(mut state: C::State) -> C::Output {
     loop {
@@ -131,65 +98,6 @@ pub fn finish<C: Working>(mut state: C::State) -> C::Output {
             return output;
         }
     }
-}
-
-/// The place of a component's jobs in its tree, for runners; `()` of a component without work.
-pub trait WorkSlot: 'static {
-    /// What a job owns.
-    type State: Send + 'static;
-    /// Its result.
-    type Output: Send + 'static;
-    /// An empty place.
-    #[doc(hidden)]
-    const EMPTY: Self;
-
-    /// Takes the job away, if one waits; the cycles then wait for [`put`](Self::put).
-    fn take(&self) -> Option<Taken<Self::State>> {
-        None
-    }
-
-    /// Runs a job that was taken to its end.
-    fn finish(state: Self::State) -> Self::Output;
-
-    /// Puts the result of a job back, or none if it panicked. It is dropped if the component has given up the job.
-    #[expect(unused_variables, reason = "the names of the arguments are documentation")]
-    fn put(&self, ticket: u32, output: Option<Self::Output>) {}
-
-    /// Keeps cycles from running the job: the runner does, by [`slice`](Self::slice).
-    fn claim(&self) {}
-
-    /// Runs a slice of the job in its place, if there is one that is claimed; returns whether there was.
-    fn slice(&self) -> bool {
-        false
-    }
-
-    /// Whether the job of that number is still wanted.
-    #[expect(unused_variables, reason = "the names of the arguments are documentation")]
-    fn is_awaited(&self, ticket: u32) -> bool {
-        false
-    }
-
-    /// Drops the job and the result.
-    #[doc(hidden)]
-    fn cancel(&self) {}
-
-    #[doc(hidden)]
-    fn settle(&self, _: Instant) -> Option<Instant> {
-        None
-    }
-
-    #[doc(hidden)]
-    fn deliver(&self, _: Instant) -> Option<JobEnd> {
-        None
-    }
-}
-
-impl WorkSlot for () {
-    type State = ();
-    type Output = ();
-    const EMPTY: Self = ();
-
-    fn finish((): ()) {}
 }
 
 /// The place of the jobs of a component with work.
@@ -246,9 +154,6 @@ impl<C: Working> WorkSlot for WorkCell<C> {
         self.borrow().jobs().deliver(now)
     }
 }
-
-/// The place of the jobs of component `C` in tree `T`.
-pub type WorkOf<T, C> = <<T as Has<C>>::Member as Component>::Work;
 
 /// Returns the place of the jobs of component `C`.
 pub fn slot<T: Tree + Has<C>, C: 'static>(tree: &T) -> &WorkOf<T, C> {

@@ -3,7 +3,6 @@
 use super::worst_case::{modulates_by, most_writers, two_writers};
 use super::{CAPACITY, Choice, Path, Set, WorstCase, steps};
 use crate::graph::{Graph, InForce, Link, LinkKind};
-use crate::tree::deferred::is_last;
 
 /// Components that modulate one child in one cycle.
 #[derive(Clone, Copy, Debug)]
@@ -164,7 +163,7 @@ impl<'a> Runs<'a> {
     }
 
     const fn activate(&mut self, component: usize) {
-        if is_last(&self.graph.nodes[component]) {
+        if self.graph.nodes[component].is_last() {
             self.put_off = self.put_off.with(component);
         } else {
             self.open(component);

@@ -2,46 +2,16 @@
 
 use embassy_time::Instant;
 
-use super::borrow::{BorrowSet, ExclusiveStore, Write};
-use super::component_state::Policy;
 use super::cycle_state::VisitOutcome;
 use super::engine;
-use super::layout::{Has, Layout, MemberOf};
+use super::layout::borrow::{BorrowSet, Write};
+use super::layout::{Cycle, Has, Layout, Machine, MemberOf, Visit, WorkOf};
+use super::member::{id, is_aged, is_root, policy, tolerance};
 use super::results;
 use crate::age::Age;
 use crate::component::{Component, Time};
-use crate::id::ComponentId;
 use crate::probe::Probe;
-use crate::rate::Tolerance;
-use crate::work::{WorkOf, WorkSlot};
-
-/// A cycle of tree `T` in progress, watched by `P`.
-///
-/// It is forgotten when the cycle ends. So it is dropped only if the tick unwinds, and then it marks the tree.
-pub struct Cycle<'t, T: Layout, P> {
-    pub(crate) store: ExclusiveStore<'t, T>,
-    pub(crate) probe: &'t mut P,
-}
-
-/// What a component does when it is visited.
-#[derive(Clone, Copy)]
-pub struct Visit {
-    /// The component is to run.
-    pub due: bool,
-    /// A state machine begins in its initial state.
-    pub entering: bool,
-}
-
-/// Progress of a state machine in its run.
-#[derive(Clone, Copy)]
-pub struct Machine {
-    /// Index of the state.
-    pub state: usize,
-    /// The entry hooks of the state are still to be called.
-    pub entering: bool,
-    /// A transition was taken in this run.
-    pub moved: bool,
-}
+use crate::work::WorkSlot;
 
 impl<T: Layout, P> Drop for Cycle<'_, T, P> {
     fn drop(&mut self) {
@@ -288,43 +258,4 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
         self.probe.transition(id::<T, C>(), from, to);
         Machine { state: to, entering: true, moved: true }
     }
-}
-
-#[inline]
-pub(super) fn id<T: Has<C>, C: 'static>() -> ComponentId {
-    const { ComponentId::new(T::INDEX) }
-}
-
-const fn tolerance<T: Has<C>, C: 'static>() -> Tolerance {
-    Tolerance::new(T::CYCLE_HZ, <T::Member as Component>::HZ)
-}
-
-pub(super) const fn policy<T: Has<C>, C: 'static>() -> Policy {
-    let initial =
-        if <T::Member as Component>::STATES.is_empty() { None } else { Some(<T::Member as Component>::INITIAL) };
-    Policy::new(initial, <T::Member as Component>::RESUME, tolerance::<T, C>())
-}
-
-/// Whether `C` declares a rate, or the target wants small code: one form of visit is then enough.
-#[inline]
-#[must_use]
-pub const fn visits_at_rate<T: Has<C>, C: 'static>() -> bool {
-    <T::Member as Component>::HZ.is_some() || cfg!(target_os = "none")
-}
-
-/// Whether a component of the tree takes the age of `C`.
-const fn is_aged<T: Has<C>, C: 'static>() -> bool {
-    T::INDEX < T::AGED.len() && T::AGED[T::INDEX]
-}
-
-/// Whether no link ends at `C`. Each other component has one, because it can be reached from the root.
-const fn is_root<T: Has<C>, C: 'static>() -> bool {
-    T::ACTIVATORS[T::INDEX] == 0
-}
-
-/// Whether several links end at `C`.
-#[inline]
-#[must_use]
-pub const fn is_shared<T: Has<C>, C: 'static>() -> bool {
-    T::ACTIVATORS[T::INDEX] > 1
 }

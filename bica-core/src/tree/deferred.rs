@@ -1,7 +1,6 @@
 //! Children with `writers = last`: they are visited at the end of the cycle, after all components that write them.
 
-use super::cycle::Cycle;
-use super::layout::{Has, Layout};
+use super::layout::{Cycle, Has, Layout};
 use crate::component::Component;
 use crate::graph::{InForce, Node};
 use crate::probe::Probe;
@@ -23,16 +22,11 @@ pub const fn is_deferred<T: Has<C>, C: 'static>() -> bool {
     matches!(<T::Member as Component>::WRITERS, Some(InForce::Last))
 }
 
-/// Whether visits of a component are put off.
-pub(crate) const fn is_last(node: &Node) -> bool {
-    matches!(node.writers, Some(InForce::Last))
-}
-
 /// Returns whether a tree has a component whose visits are put off.
 #[must_use]
 pub const fn deferred(nodes: &[Node]) -> bool {
     let mut index = 0;
-    while index < nodes.len() && !is_last(&nodes[index]) {
+    while index < nodes.len() && !nodes[index].is_last() {
         index += 1;
     }
     index < nodes.len()

@@ -4,25 +4,20 @@ use core::mem;
 
 use embassy_time::Instant;
 
-use super::borrow::Store;
 use super::component_state::ComponentState;
-use super::cycle::Cycle;
 use super::deferred::visit_deferred;
 use super::going;
-use super::layout::Layout;
+use super::layout::{Cycle, Engine, Layout, Store};
 use super::steady::become_steady;
 use crate::hold::Hold;
 use crate::id::ComponentId;
 use crate::probe::Probe;
 use crate::work;
 
-/// The components of a tree and what is stored of them from cycle to cycle.
-pub struct Engine<T: Layout> {
-    pub(crate) store: Store<T>,
-}
-
 impl<T: Layout> Engine<T> {
     /// Takes the components; none is active yet.
+    // A call of its own would have one copy more of the tree on the stack in builds without optimisation across modules.
+    #[inline]
     pub const fn new(slots: T::Slots) -> Self {
         Self { store: Store::new(slots) }
     }

@@ -1,10 +1,8 @@
 //! Machines that go to a state by request.
 
 use super::Tree;
-use super::cycle::Cycle;
 use super::cycle_state::VisitOutcome;
-use super::engine::Engine;
-use super::layout::{Has, Layout};
+use super::layout::{Cycle, Engine, Has, Layout};
 use crate::component::Component;
 use crate::graph::State;
 use crate::hold::Hold;

@@ -1,10 +1,11 @@
-//! What the macros implement for a tree and its components.
+//! What the macros implement for a tree and its components, and the types of these functions.
 
-use super::borrow::Slot;
+use core::cell::UnsafeCell;
+use core::marker::PhantomData;
+use core::mem::ManuallyDrop;
+
 use super::component_state::ComponentState;
-use super::cycle::{Cycle, Machine, Visit};
-use super::cycle_state::VisitOutcome;
-use super::engine::Engine;
+use super::cycle_state::{CycleState, VisitOutcome};
 use super::plan::Plans;
 use super::written::WrittenLink;
 use crate::component::Component;
@@ -12,7 +13,9 @@ use crate::graph::Node;
 use crate::output::OutputSink;
 use crate::params::Value;
 use crate::probe::Probe;
-use crate::work::WorkOf;
+use crate::rate::Rate;
+
+pub(crate) mod borrow;
 
 /// Tree `Self` holds component `C`.
 #[diagnostic::on_unimplemented(
@@ -84,6 +87,16 @@ pub trait Has<C: 'static>: Layout {
 
 /// The parameters of component `C` of tree `T`.
 pub type ParamsOf<T, C> = <<T as Has<C>>::Member as Component>::Params;
+
+/// The place of the jobs of component `C` in tree `T`.
+pub type WorkOf<T, C> = <<T as Has<C>>::Member as Component>::Work;
+
+/// Whether `C` declares a rate, or the target wants small code: one form of visit is then enough.
+#[inline]
+#[must_use]
+pub const fn visits_at_rate<T: Has<C>, C: 'static>() -> bool {
+    <T::Member as Component>::HZ.is_some() || cfg!(target_os = "none")
+}
 
 /// What is done with one component of tree `T` that is known only by its index.
 pub trait Member<T: Layout> {
@@ -208,4 +221,62 @@ pub trait Layout: Sized + 'static {
     fn hz(&self, index: usize) -> Option<f32>;
     #[doc(hidden)]
     fn set_hz(&mut self, index: usize, hz: Option<f32>);
+}
+
+/// The components of a tree and what is stored of them from cycle to cycle.
+pub struct Engine<T: Layout> {
+    pub(crate) store: Store<T>,
+}
+
+/// Owner of the components of tree `T`.
+///
+/// The cycle state lies beside the slots, so that a visit needs only one pointer.
+pub(crate) struct Store<T: Layout> {
+    cycle_state: CycleState,
+    slots: T::Slots,
+}
+
+/// One component of a tree, its rate, its state, and its parameters if the tree is tunable.
+pub struct Slot<C, S = (), W = ()> {
+    state: ComponentState,
+    rate: UnsafeCell<Rate<C>>,
+    value: UnsafeCell<C>,
+    /// In no `UnsafeCell`: a cycle only reads it. Parameters are plain values that need no drop, and the engine drops jobs; said
+    /// here, it keeps the compiler from asking for these types of a listed type that is no component, once for each variable.
+    params: ManuallyDrop<S>,
+    work: ManuallyDrop<W>,
+}
+
+/// An exclusive borrow of a store, from which components can be borrowed.
+pub(crate) struct ExclusiveStore<'t, T: Layout> {
+    store: &'t Store<T>,
+    exclusive: PhantomData<&'t mut T::Slots>,
+}
+
+/// A cycle of tree `T` in progress, watched by `P`.
+///
+/// It is forgotten when the cycle ends. So it is dropped only if the tick unwinds, and then it marks the tree.
+pub struct Cycle<'t, T: Layout, P> {
+    pub(crate) store: ExclusiveStore<'t, T>,
+    pub(crate) probe: &'t mut P,
+}
+
+/// What a component does when it is visited.
+#[derive(Clone, Copy)]
+pub struct Visit {
+    /// The component is to run.
+    pub due: bool,
+    /// A state machine begins in its initial state.
+    pub entering: bool,
+}
+
+/// Progress of a state machine in its run.
+#[derive(Clone, Copy)]
+pub struct Machine {
+    /// Index of the state.
+    pub state: usize,
+    /// The entry hooks of the state are still to be called.
+    pub entering: bool,
+    /// A transition was taken in this run.
+    pub moved: bool,
 }

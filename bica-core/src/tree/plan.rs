@@ -13,7 +13,6 @@
 
 use crate::check::{CAPACITY, Set};
 use crate::graph::{Graph, Link, LinkKind, Node};
-use crate::tree::deferred::is_last;
 
 /// Largest number of plans; a root with more states has none. A microcontroller has no plans, which would make its program
 /// larger.
@@ -186,7 +185,7 @@ impl<const N: usize> Walk<N> {
 
     const fn visit(&mut self, nodes: &[Node], (from, to): (usize, usize), unusual: &Set) {
         // What is put off is visited after all others, and tests whether they were visited.
-        if self.first[to] != NONE || self.fixed.contains(to) || is_last(&nodes[to]) {
+        if self.first[to] != NONE || self.fixed.contains(to) || nodes[to].is_last() {
             return;
         }
         self.first[to] = from as u16;

@@ -1,8 +1,8 @@
 //! Results of machines: a child that has ended, begins anew, and is tried again.
 
-use super::cycle::{Cycle, Machine, Visit, policy};
 use super::cycle_state::VisitOutcome;
-use super::layout::{Has, Layout, MemberOf};
+use super::layout::{Cycle, Has, Layout, Machine, MemberOf, Visit};
+use super::member::policy;
 use crate::component::Component;
 use crate::graph::{End, State, Transition};
 use crate::outcome::Outcome;

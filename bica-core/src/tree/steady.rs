@@ -1,9 +1,7 @@
 //! Steady ticks: see [`plan`](super::plan).
 
-use super::borrow::Store;
-use super::cycle::{Cycle, visits_at_rate};
 use super::deferred::is_deferred;
-use super::layout::{Has, Layout};
+use super::layout::{Cycle, Has, Layout, Store, visits_at_rate};
 use crate::probe::Probe;
 
 impl<T: Layout, P: Probe> Cycle<'_, T, P> {

@@ -1,8 +1,7 @@
 //! Parameters in a tree: how a component gets them, and how a batch of them is applied.
 
 use super::Tree;
-use super::cycle::Cycle;
-use super::layout::{Has, Layout, Member, ParamsOf};
+use super::layout::{Cycle, Has, Layout, Member, ParamsOf};
 use crate::component::Component;
 use crate::id::ComponentId;
 use crate::key::Key;

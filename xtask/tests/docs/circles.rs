@@ -1,21 +1,30 @@
-//! Circles between the modules of a package.
+//! Circles between the modules of a package, or of one of its folders.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::pages::Page;
 
-/// Packages whose modules use each other in one direction. The macros of `bica-core` need its traits to name each other.
-const LAYERED: [&str; 7] =
-    ["bica-wire", "tools/app", "tools/link", "tools/monitor", "tools/recording", "tools/ros", "tools/vicode"];
+/// Folders whose modules use each other in one direction, and what precedes the name of a module there.
+const LAYERED: [(&str, &[&str]); 8] = [
+    ("bica-core/src/tree/", &["super::", "crate::tree::"]),
+    ("bica-wire/src/", PACKAGE),
+    ("tools/app/src/", PACKAGE),
+    ("tools/link/src/", PACKAGE),
+    ("tools/monitor/src/", PACKAGE),
+    ("tools/recording/src/", PACKAGE),
+    ("tools/ros/src/", PACKAGE),
+    ("tools/vicode/src/", PACKAGE),
+];
+const PACKAGE: &[&str] = &["crate::"];
 
-/// Modules of a package's root, each with those that it uses.
+/// Modules of a folder, each with those that it uses.
 type Uses = BTreeMap<String, BTreeSet<String>>;
 
-/// Returns the packages with the modules that are in a circle or use one, and the number of modules that were read.
+/// Returns the folders with the modules that are in a circle or use one, and the number of modules that were read.
 pub(crate) fn found(sources: &[Page]) -> (Vec<String>, usize) {
     let (mut circles, mut read) = (Vec::new(), 0);
-    for package in LAYERED {
-        let mut uses = uses(sources, &format!("{package}/src/"));
+    for (folder, before) in LAYERED {
+        let mut uses = uses(sources, folder, before);
         read += uses.len();
         while let Some(last) = uses.iter().find_map(|(name, used)| used.is_empty().then(|| name.clone())) {
             uses.remove(&last);
@@ -23,12 +32,12 @@ pub(crate) fn found(sources: &[Page]) -> (Vec<String>, usize) {
                 used.remove(&last);
             }
         }
-        circles.extend((!uses.is_empty()).then(|| format!("{package}: {uses:?}")));
+        circles.extend((!uses.is_empty()).then(|| format!("{folder}: {uses:?}")));
     }
     (circles, read)
 }
 
-fn uses(sources: &[Page], folder: &str) -> Uses {
+fn uses(sources: &[Page], folder: &str, before: &[&str]) -> Uses {
     let parts = sources.iter().filter_map(|page| {
         let module = page.name.strip_prefix(folder)?.split('/').next()?.trim_end_matches(".rs");
         (!matches!(module, "lib" | "main")).then_some((module, page))
@@ -36,7 +45,8 @@ fn uses(sources: &[Page], folder: &str) -> Uses {
     let mut uses = Uses::new();
     for (module, page) in parts {
         let code = page.text.lines().filter(|line| !line.trim_start().starts_with("//"));
-        uses.entry(module.to_owned()).or_default().extend(code.flat_map(named).map(str::to_owned));
+        let found = code.flat_map(|line| before.iter().flat_map(move |before| named(line, before)));
+        uses.entry(module.to_owned()).or_default().extend(found.map(str::to_owned));
     }
     let names: BTreeSet<String> = uses.keys().cloned().collect();
     for (module, used) in &mut uses {
@@ -45,9 +55,9 @@ fn uses(sources: &[Page], folder: &str) -> Uses {
     uses
 }
 
-/// Returns what a line names in the root of its package: `a` in `crate::a::B`, `a` and `b` in `crate::{a, b}`.
-fn named(line: &str) -> impl Iterator<Item = &str> {
-    line.split("crate::").skip(1).flat_map(|rest| {
+/// Returns what a line names after a path such as `crate::`: `a` in `crate::a::B`, `a` and `b` in `crate::{a, b}`.
+fn named<'a>(line: &'a str, before: &str) -> impl Iterator<Item = &'a str> {
+    line.split(before).skip(1).flat_map(|rest| {
         let names = rest.strip_prefix('{').map_or(rest, |list| list.split('}').next().unwrap_or_default());
         let count = if rest.starts_with('{') { usize::MAX } else { 1 };
         names.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|name| !name.is_empty()).take(count)

@@ -1,7 +1,7 @@
 //! The store of a tree's components, and how a step borrows several of them at once.
 //!
-//! This is the only unsafe code of the framework. [`Store`] owns the components, each in a [`Slot`]. There are two ways to
-//! use it:
+//! This is the only unsafe code of the framework. [`Store`] owns the components, each in a [`Slot`]. Both are declared in the
+//! parent module, whose traits name them; it reads and writes none of their fields. There are two ways to use the store:
 //!
 //! - While no cycle is in progress, through ordinary borrows: [`Store::get`] reads through `&Store`, [`Store::get_mut`]
 //!   writes through `&mut Store`.
@@ -30,24 +30,12 @@ use core::marker::PhantomData;
 use core::mem::ManuallyDrop;
 use core::ptr;
 
-use super::component_state::ComponentState;
-use super::cycle::visits_at_rate;
-use super::cycle_state::CycleState;
-use super::layout::{Has, Layout, ParamsOf};
+use super::{ExclusiveStore, Has, Layout, ParamsOf, Slot, Store, WorkOf, visits_at_rate};
 use crate::component::Component;
 use crate::rate::{Period, Rate};
-use crate::work::{WorkOf, WorkSlot};
-
-/// One component of a tree, its rate, its state, and its parameters if the tree is tunable.
-pub struct Slot<C, S = (), W = ()> {
-    state: ComponentState,
-    rate: UnsafeCell<Rate<C>>,
-    value: UnsafeCell<C>,
-    /// In no `UnsafeCell`: a cycle only reads it. Parameters are plain values that need no drop, and the engine drops jobs; said
-    /// here, it keeps the compiler from asking for these types of a listed type that is no component, once for each variable.
-    params: ManuallyDrop<S>,
-    work: ManuallyDrop<W>,
-}
+use crate::tree::component_state::ComponentState;
+use crate::tree::cycle_state::CycleState;
+use crate::work::WorkSlot;
 
 impl<C: 'static, S, W: WorkSlot> Slot<C, S, W> {
     /// Holds `value` in tree `T`, with its parameters, at its declared rate and never active yet.
@@ -100,14 +88,6 @@ fn slot_in<T: Has<C>, C: 'static>(slots: &T::Slots) -> &Slot<C, T::Stored, WorkO
     let is_inside = offset.saturating_add(size_of::<Slot<C, T::Stored, WorkOf<T, C>>>()) <= size_of::<T::Slots>();
     assert!(is_inside, "`Has::slot` returned a slot outside this tree's store");
     slot
-}
-
-/// Owner of the components of tree `T`.
-///
-/// The cycle state lies beside the slots, so that a visit needs only one pointer.
-pub(crate) struct Store<T: Layout> {
-    cycle_state: CycleState,
-    slots: T::Slots,
 }
 
 // SAFETY: nothing is `Shared`, so this never applies. It replaces the automatic impl, whose absence the compiler explains
@@ -206,12 +186,6 @@ impl<T: Layout> Store<T> {
     pub(crate) const fn open(&mut self) -> ExclusiveStore<'_, T> {
         ExclusiveStore { store: self, exclusive: PhantomData }
     }
-}
-
-/// An exclusive borrow of a store, from which components can be borrowed.
-pub(crate) struct ExclusiveStore<'t, T: Layout> {
-    store: &'t Store<T>,
-    exclusive: PhantomData<&'t mut T::Slots>,
 }
 
 impl<'t, T: Layout> ExclusiveStore<'t, T> {
