@@ -3,11 +3,10 @@
 use bica::runner::Robot;
 use bica::{Instant, Tree};
 use bica_field::{SSIM_2026, league_mark};
-use bica_motion::joints::Joints;
 use bica_motion::kinematics::{camera, ground_from_robot};
 use bica_motion::model::T1;
 use bica_motion::pose::{Pose2, wrap};
-use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
+use bica_motion::robot::{CameraId, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_player::behaviour::Player;
 use bica_player::league::Forward;
@@ -54,16 +53,7 @@ fn body(cycle: u64) -> Sensors<'static> {
     let noise = 0.001 * (cycle % 2) as f32;
     let inertial = Inertial { acceleration: Vec3::new(noise, 0.0, 9.81), ..Inertial::default() };
     let foot = FootPressure { front_left: 40.0, front_right: 40.0, rear_left: 40.0, rear_right: 40.0 };
-    Sensors {
-        angles: T1.stand,
-        temperatures: Joints::all(f32::NAN),
-        currents: Joints::all(f32::NAN),
-        inertial,
-        left_foot: foot,
-        right_foot: foot,
-        buttons: Buttons::default(),
-        image: None,
-    }
+    Sensors { angles: T1.stand, inertial, left_foot: foot, right_foot: foot, ..Sensors::UNMEASURED }
 }
 
 /// Runs cycles with equal senses, beginning with `from`.

@@ -2,7 +2,7 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::{K1, NAO, RobotModel, T1};
-use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
+use bica_motion::robot::{FootPressure, Inertial, Sensors};
 use bica_motion::senses::SenseEstimator;
 use glam::{Quat, Vec3};
 
@@ -11,17 +11,7 @@ const CYCLE: f32 = 0.01;
 fn sensors(angles: Joints, gyro: Vec3, acceleration: Vec3) -> Sensors<'static> {
     let inertial = Inertial { gyro, acceleration, roll: 0.5, pitch: 0.5 };
     let foot = FootPressure { front_left: 1.0, ..FootPressure::default() };
-    let unknown = Joints::all(f32::NAN);
-    Sensors {
-        angles,
-        temperatures: unknown,
-        currents: unknown,
-        inertial,
-        left_foot: foot,
-        right_foot: foot,
-        buttons: Buttons::default(),
-        image: None,
-    }
+    Sensors { angles, inertial, left_foot: foot, right_foot: foot, ..Sensors::UNMEASURED }
 }
 
 #[test]

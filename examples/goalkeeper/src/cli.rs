@@ -2,8 +2,7 @@
 
 use bica::Tree;
 use bica::graph::Graph;
-use bica_app::{App, TuningArgs};
-use bica_app::{Console, Failure, Outcome, interrupt};
+use bica_app::{App, Console, Failure, Outcome, TuningArgs};
 use bica_sim::shot::SPEEDS;
 use clap::Args;
 use serde::Serialize;
@@ -106,11 +105,7 @@ fn play(cli: &SeriesArgs) -> Result<Outcome, Failure> {
         print(console, "goalkeeper", goalkeeper)?;
     }
     console.print_json(&Report { schema: "goalkeeper/shots/1", idle, goalkeeper, shots: &results })?;
-    if interrupt::requested() {
-        return Ok(Outcome::Interrupted);
-    }
-    let half = goalkeeper.is_none_or(|goalkeeper| 2 * goalkeeper.let_in <= idle.let_in);
-    Ok(if half { Outcome::Success } else { Outcome::Unsuccessful })
+    Ok(Outcome::of(goalkeeper.is_none_or(|goalkeeper| 2 * goalkeeper.let_in <= idle.let_in)))
 }
 
 fn sums(results: &[ShotResult]) -> Sums {

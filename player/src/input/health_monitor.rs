@@ -131,23 +131,13 @@ impl HealthMonitor {
 #[cfg(test)]
 mod tests {
     use crate::input::CameraInput;
-    use bica_motion::robot::{Buttons, FootPressure, Inertial};
 
     use super::*;
 
     /// Monitor of a body of which one motor is too hot, and whose feet are in the air.
     fn hot(temperature: f32) -> HealthMonitor {
         let mut monitor = HealthMonitor::new();
-        let mut sensors = Sensors {
-            angles: Joints([0.0; JOINTS]),
-            temperatures: Joints([30.0; JOINTS]),
-            currents: Joints([0.0; JOINTS]),
-            inertial: Inertial::default(),
-            left_foot: FootPressure::default(),
-            right_foot: FootPressure::default(),
-            buttons: Buttons::default(),
-            image: None,
-        };
+        let mut sensors = Sensors { temperatures: Joints([30.0; JOINTS]), ..Sensors::UNMEASURED };
         sensors.temperatures[Joint::LKneePitch] = temperature;
         let commanded = JointCommand { targets: Joints([0.0; JOINTS]), stiffness: Joints([1.0; JOINTS]) };
         (0..200).for_each(|_| monitor.check(&sensors, &commanded));

@@ -96,7 +96,7 @@ impl FallDetector {
 #[cfg(test)]
 mod tests {
     use bica_motion::joints::{JOINTS, Joints};
-    use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
+    use bica_motion::robot::{Inertial, Sensors};
 
     use super::*;
     use crate::output::JointCommand;
@@ -117,16 +117,7 @@ mod tests {
     #[test]
     fn wider_limit_detects_same_tilt_as_upright() {
         let mut state = RobotState::new();
-        let sensors = Sensors {
-            angles: Joints([0.0; JOINTS]),
-            temperatures: Joints([30.0; JOINTS]),
-            currents: Joints([0.0; JOINTS]),
-            inertial: Inertial { pitch: 0.7, ..Inertial::default() },
-            left_foot: FootPressure::default(),
-            right_foot: FootPressure::default(),
-            buttons: Buttons::default(),
-            image: None,
-        };
+        let sensors = Sensors { inertial: Inertial { pitch: 0.7, ..Inertial::default() }, ..Sensors::UNMEASURED };
         state.measure(&sensors, &JointCommand { targets: Joints([0.0; JOINTS]), stiffness: Joints([1.0; JOINTS]) });
         for (forward_pitch, is_down) in [(0.6, true), (0.8, false)] {
             let mut detector = FallDetector::new();

@@ -1,12 +1,13 @@
 //! Resting and rolling balls, observed with noise by a walking robot.
 
+use bica_body::random::Random;
 use bica_motion::pose::{Pose2, rotate};
 use bica_vision::memory::ball::BallMemory;
 use bica_vision::uncertainty::{Covariance, largest};
 use glam::Vec2;
 use proptest::prelude::*;
 
-use super::noise::{Noise, root, spread};
+use super::noise::{off_by, root, spread};
 
 const STEP: f32 = 1.0 / 30.0;
 
@@ -18,13 +19,13 @@ struct Scene {
     robot: Pose2,
     /// Slowly varying part of the errors of sightings, in standard deviations.
     bias: Vec2,
-    noise: Noise,
+    noise: Random,
     memory: BallMemory,
 }
 
 impl Scene {
     fn new(seed: u64) -> Self {
-        let mut noise = Noise::new(seed);
+        let mut noise = Random::new(seed, 0_u64);
         let ball = Vec2::new(noise.between(0.3, 1.5), noise.between(-0.6, 0.6));
         let braking = noise.between(0.25, 0.4);
         let memory = BallMemory::new(5.0);
@@ -63,7 +64,8 @@ impl Scene {
         // The bias is correlated over about a third of a second.
         self.bias = 0.9 * self.bias + (1.0 - 0.81_f32).sqrt() * new;
         let spread = spread(at);
-        let off = (1.0 - lasting).sqrt() * self.noise.off_by(&spread) + lasting.sqrt() * (root(&spread) * self.bias);
+        let off =
+            (1.0 - lasting).sqrt() * off_by(&mut self.noise, &spread) + lasting.sqrt() * (root(&spread) * self.bias);
         self.memory.see(at + off, &spread, 0.8);
     }
 

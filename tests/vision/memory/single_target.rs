@@ -1,12 +1,13 @@
 //! Memory of a static object.
 
+use bica_body::random::Random;
 use bica_motion::pose::Pose2;
 use bica_vision::memory::Memory;
 use bica_vision::uncertainty::{self, Covariance, largest};
 use glam::Vec2;
 use proptest::prelude::*;
 
-use super::noise::{Noise, spread};
+use super::noise::{off_by, spread};
 
 fn sharp() -> Covariance {
     uncertainty::round(0.01)
@@ -84,7 +85,7 @@ fn near_sightings_are_averaged_and_a_far_one_replaces() {
 fn covariance_matches_the_error_of_the_position() {
     let (mut sum, mut count, mut inside) = (0.0, 0.0, 0.0);
     for seed in 0..200 {
-        let mut noise = Noise::new(seed);
+        let mut noise = Random::new(seed, 0_u64);
         let landmark = Vec2::new(noise.between(0.5, 2.5), noise.between(-1.5, 1.5));
         let (mut robot, mut memory) = (Pose2::ORIGIN, Memory::new(60.0));
         for step in 0..300 {
@@ -102,7 +103,7 @@ fn covariance_matches_the_error_of_the_position() {
             let at = robot.locate(landmark);
             if step % 100 < 10 && (0.3..3.0).contains(&at.length()) && at.x > 0.0 {
                 let spread = spread(at);
-                memory.see(at + noise.off_by(&spread), &spread, 0.9);
+                memory.see(at + off_by(&mut noise, &spread), &spread, 0.9);
             }
             if let Some(distance) = memory.distance(at, &Covariance::ZERO) {
                 sum += distance;

@@ -88,7 +88,7 @@ pub(crate) fn run(args: &RosArgs) -> Result<Outcome, Failure> {
                 let _ = Console::new(false).print_row("ros", &node.describe(name, &options));
             };
             bica_ros::bridge(address, &options, started, &interrupt::requested)?;
-            Ok(if interrupt::requested() { Outcome::Interrupted } else { Outcome::Success })
+            Ok(Outcome::of(true))
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use bica_link::Address;
 
+use crate::console::Failure;
+
 /// Parses a duration of 0.01 to 86400 s.
 ///
 /// # Errors
@@ -20,4 +22,16 @@ pub(crate) fn time(text: &str) -> Result<f64, String> {
 /// Parses the address of a link.
 pub(crate) fn address(text: &str) -> Result<Address, String> {
     text.parse().map_err(|error: bica_link::Error| error.help())
+}
+
+/// Returns the end of a span that begins at `from`, s; infinity without an end.
+///
+/// # Errors
+/// If it is before the begin.
+pub(crate) fn end_of_span(from: f64, until: Option<f64>) -> Result<f64, Failure> {
+    let until = until.unwrap_or(f64::INFINITY);
+    if until < from {
+        return Err(Failure::new("--until is before --from", "give a later time with --until"));
+    }
+    Ok(until)
 }

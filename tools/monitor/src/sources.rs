@@ -104,6 +104,8 @@ fn recording(path: &Path, folder: &mut Option<PathBuf>) -> Result<String, Invali
 mod tests {
     use std::collections::BTreeMap;
 
+    use bica_test_data::process::Folder;
+
     use super::*;
     use crate::cli::parse;
     use crate::program::{Game, LocalWorld, WorldSetup};
@@ -155,8 +157,8 @@ mod tests {
 
     #[test]
     fn one_world_or_robot_is_recorded_in_a_new_file() {
-        let file = std::env::temp_dir().join(format!("jmanager-sources-{}.mcap", std::process::id()));
-        let new = file.to_str().unwrap();
+        let folder = Folder::new("sources");
+        let new = &*folder.file("run.mcap");
         assert!(sources(&["--record", new]).is_ok());
         assert!(sources(&["tcp://nao:7400", "--record", new]).is_ok());
         let error = |arguments: &[&str]| match sources(arguments) {
@@ -166,10 +168,9 @@ mod tests {
         assert!(error(&["tcp://nao:7400", "tcp://other:7400", "--record", new]).contains("found 2"));
         assert!(error(&["--record", "run.bag"]).contains(".mcap"));
         assert!(error(&["--record", "/nowhere/run.mcap"]).contains("no folder"));
-        std::fs::write(&file, "").unwrap();
+        std::fs::write(new, "").unwrap();
         assert!(error(&["--record", new]).contains("exists"));
         assert!(error(&[new, "--record", "run.mcap"]).contains("found 0"));
-        std::fs::remove_file(&file).unwrap();
     }
 
     #[test]

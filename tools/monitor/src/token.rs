@@ -60,13 +60,14 @@ fn check_mode(_: &Path) -> Result<(), Failed> {
 mod tests {
     use std::os::unix::fs::PermissionsExt;
 
+    use bica_test_data::process::Folder;
+
     use super::*;
 
     #[test]
     fn a_new_file_is_for_its_owner_only_and_is_read_again() {
-        let folder = std::env::temp_dir().join(format!("jmanager-token-{}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
-        let path = folder.join("token");
+        let folder = Folder::new("token");
+        let path = folder.path().join("token");
         let (token, new) = read(&path).unwrap();
         assert!(new && token.len() == 64);
         assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o600);
@@ -76,6 +77,5 @@ mod tests {
         fs::set_permissions(&path, fs::Permissions::from_mode(0o600)).unwrap();
         fs::write(&path, "short").unwrap();
         assert!(read(&path).is_err());
-        fs::remove_dir_all(&folder).unwrap();
     }
 }

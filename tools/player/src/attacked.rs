@@ -5,9 +5,10 @@ use std::fmt;
 use bica::runner::Robot;
 use bica_app::{App, Failure};
 use bica_field::GoalColour;
-use bica_recording::{Recordable, Recording, ReplayOptions, ReplayReport};
+use bica_recording::{Recordable, ReplayOptions, ReplayReport};
 
 use crate::colour_profile::ColourProfile;
+use crate::play::recorded_options;
 
 /// Name of the option.
 pub(crate) const ATTACKS: &str = "attacks";
@@ -32,13 +33,8 @@ pub(crate) fn replay<R>(
 where
     R: Robot<Error: fmt::Display> + Recordable + Default + 'static,
 {
-    // The reader of the other games reports an unreadable file.
-    let recording = Recording::open(options.path).ok()?;
-    let set_up = &recording.header().set_up;
-    let attacks_sky_blue =
-        || set_up.get("options")?.as_array()?.contains(&format!("{ATTACKS}={SKY_BLUE}").into()).then_some(());
-    (set_up.get("world")?.as_str()? == world).then(|| {
-        let attacks = attacks_sky_blue().map_or(GoalColour::Yellow, |()| GoalColour::SkyBlue);
-        App::<R, ColourProfile>::new("player").robot(maker(attacks)).repeat(options)
-    })
+    let recorded = recorded_options(options.path, world)?;
+    let is_sky_blue = recorded.contains(&option(GoalColour::SkyBlue));
+    let attacks = if is_sky_blue { GoalColour::SkyBlue } else { GoalColour::Yellow };
+    Some(App::<R, ColourProfile>::new("player").robot(maker(attacks)).repeat(options))
 }

@@ -15,12 +15,13 @@ use bica_player::league::senses::{Senses, View};
 use bica_player::league::{Forward, K1_PARAMETERS, T1_PARAMETERS};
 use bica_player::model::set_model;
 use bica_player::motion::{Head, Walk};
-use bica_recording::{Recording, ReplayOptions, ReplayReport};
+use bica_recording::{ReplayOptions, ReplayReport};
 use bica_tuning::Layers;
 
 use crate::cli::{BoosterArgs, GaitArg, Play};
 use crate::colour_profile::ColourProfile;
 use crate::eyes::Eyes;
+use crate::play::recorded_options;
 
 /// Name of the world in recordings and options.
 const WORLD: &str = "booster";
@@ -158,19 +159,8 @@ fn play(
     motion: &Mutex<Motion>,
     open: impl Fn() -> Result<Field, Failure> + Send + Sync + 'static,
 ) -> Result<(), Failure> {
-    let run = RunArgs {
-        world: WORLD.to_owned(),
-        seed: args.seed,
-        option: vec![option(body)],
-        realtime: false,
-        // No limit here: the world itself ends the run, after the firmware has the robot back.
-        seconds: None,
-        record: args.record.clone(),
-        link: args.link.clone(),
-        tuning: args.tuning.of_known_robot(),
-        log: None,
-        json: args.json,
-    };
+    // Without a limit: the world itself ends the run, after the firmware has the robot back.
+    let run = RunArgs { tuning: args.tuning.of_known_robot(), ..args.run_args(WORLD, vec![option(body)]) };
     let app = App::<Forward, ColourProfile>::new("player").robot(maker(body)).pacing_device(WORLD, move |options| {
         options.value(ROBOT, body.model.id.to_owned())?;
         open()
@@ -189,15 +179,8 @@ fn requested(forward: &Forward) -> Motion {
 
 /// Replays the recording of a run; `None` if the recording is not of this world.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
-    // The reader of the other games reports an unreadable file.
-    let recording = Recording::open(options.path).ok()?;
-    let set_up = &recording.header().set_up;
-    let all = set_up.get("options").and_then(|options| options.as_array());
-    let is_k1 = all.is_some_and(|all| all.contains(&option(K1).into()));
-    (set_up.get("world")?.as_str()? == WORLD).then(|| {
-        let body = if is_k1 { K1 } else { T1 };
-        App::<Forward, ColourProfile>::new("player").robot(maker(body)).repeat(options)
-    })
+    let body = if recorded_options(options.path, WORLD)?.contains(&option(K1)) { K1 } else { T1 };
+    Some(App::<Forward, ColourProfile>::new("player").robot(maker(body)).repeat(options))
 }
 
 fn option(body: &Body) -> String {

@@ -324,6 +324,23 @@ impl Play {
     pub(crate) fn game_seconds(&self) -> f64 {
         self.seconds.unwrap_or(120.0)
     }
+
+    /// Arguments of a run in a world with these options, without a time limit.
+    #[cfg(any(feature = "booster", feature = "league", all(feature = "lola", unix), feature = "referee"))]
+    pub(crate) fn run_args(&self, world: &str, option: Vec<String>) -> bica_app::RunArgs<ColourProfile> {
+        bica_app::RunArgs {
+            world: world.to_owned(),
+            seed: self.seed,
+            option,
+            realtime: false,
+            seconds: None,
+            record: self.record.clone(),
+            link: self.link.clone(),
+            tuning: self.tuning.clone(),
+            log: None,
+            json: self.json,
+        }
+    }
 }
 
 /// Parses the device files of two cameras.

@@ -6,7 +6,7 @@ use std::process;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use bica::Tree;
-use bica_app::{App, Failure, Outcome, RunArgs, WorldOptions, interrupt};
+use bica_app::{App, Failure, Outcome, WorldOptions, interrupt};
 use bica_field::GoalColour;
 use bica_lola::camera::{Origin, Setting, Settings};
 use bica_lola::{LolaWorld, Options, PATIENCE, Standing};
@@ -62,20 +62,8 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         LolaWorld::open(options).map(|world| Upright { world, lean }).map_err(failed)
     };
     let app = App::<Forward, ColourProfile>::new("player").robot(maker(attacks)).pacing_device(WORLD, open);
-    let run = RunArgs {
-        world: WORLD.to_owned(),
-        seed: args.seed,
-        option: args.option.clone(),
-        realtime: false,
-        // No limit here: the world itself ends the run, after the robot has sat down.
-        seconds: None,
-        record: args.record.clone(),
-        link: args.link.clone(),
-        tuning: args.tuning.clone(),
-        log: None,
-        json: args.json,
-    };
-    app.play(&run)?;
+    // Without a limit: the world itself ends the run, after the robot has sat down.
+    app.play(&args.run_args(WORLD, args.option.clone()))?;
     let Standing { opened, is_low, .. } = *standing.lock().unwrap_or_else(PoisonError::into_inner);
     Ok(if is_low || opened == 0 { Outcome::Success } else { Outcome::Unsuccessful })
 }

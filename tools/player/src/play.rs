@@ -141,6 +141,17 @@ pub(crate) fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failur
     crate::game::replay(options)
 }
 
+/// Returns the options of the world of a recording; `None` if the recording is not of this world.
+#[cfg(any(feature = "booster", feature = "league", all(feature = "lola", unix), feature = "referee"))]
+pub(crate) fn recorded_options(path: &std::path::Path, world: &str) -> Option<Vec<String>> {
+    // The reader of the other games reports an unreadable file.
+    let recording = bica_recording::Recording::open(path).ok()?;
+    let set_up = &recording.header().set_up;
+    let options = set_up.get("options").and_then(|options| options.as_array()).into_iter().flatten();
+    let options = options.filter_map(|option| option.as_str().map(str::to_owned)).collect();
+    (set_up.get("world")?.as_str()? == world).then_some(options)
+}
+
 /// Returns the error for an option that needs a Cargo feature.
 #[cfg(not(all(
     feature = "booster",

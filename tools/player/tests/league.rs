@@ -3,6 +3,8 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
+use bica_test_data::process::Folder;
+
 fn player(arguments: &[&str]) -> Output {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     Command::new(env!("CARGO_BIN_EXE_player")).args(arguments).current_dir(workspace).output().expect("the program")
@@ -17,9 +19,8 @@ fn game(seconds: &str, more: &[&str]) -> Output {
 #[test]
 #[ignore = "needs the league's server: cargo xtask ci --only league"]
 fn recorded_game_replays_bit_for_bit() {
-    let folder = std::env::temp_dir().join(format!("bica-league-test-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).expect("a folder");
-    let file = folder.join("game.mcap").display().to_string();
+    let folder = Folder::new("league");
+    let file = folder.file("game.mcap");
     let played = game("25", &["--record", &file]);
     assert_eq!(played.status.code(), Some(1), "no goal in 25 s: {played:?}");
     let states = String::from_utf8_lossy(&played.stdout);
@@ -29,7 +30,6 @@ fn recorded_game_replays_bit_for_bit() {
     assert!(replayed.status.success() && text.contains("equal, bit for bit"), "{replayed:?}");
     let other = player(&["replay", &file, "--set", "FaceBall.gain=0.5"]);
     assert_eq!(other.status.code(), Some(1), "another gain moves the head in another way: {other:?}");
-    std::fs::remove_dir_all(&folder).expect("the folder");
 }
 
 #[test]
@@ -44,14 +44,14 @@ fn second_team_plays_in_the_same_server() {
 #[cfg(feature = "mujoco")]
 #[ignore = "needs the league's server: cargo xtask ci --only league"]
 fn film_has_a_picture_for_each_moment() {
-    let file = std::env::temp_dir().join(format!("bica-league-{}.gif", std::process::id()));
-    let played = game("3", &["--film", &file.display().to_string()]);
+    let folder = Folder::new("league");
+    let file = folder.file("game.gif");
+    let played = game("3", &["--film", &file]);
     let text = String::from_utf8_lossy(&played.stdout);
     let count = text.lines().find_map(|line| line.strip_prefix("film")?.trim().split(' ').next()?.parse::<u32>().ok());
     // A film of 3 s with one picture each 70 ms.
     assert!(played.status.code() == Some(1) && count.is_some_and(|count| (41..46).contains(&count)), "{played:?}");
     assert!(std::fs::read(&file).expect("the film").starts_with(b"GIF89a"));
-    std::fs::remove_file(&file).expect("the film");
 }
 
 #[test]

@@ -11,14 +11,8 @@ pub(crate) fn blobs_digest<'a>(blobs: impl Iterator<Item = &'a [u8]>) -> u32 {
 }
 
 /// Hash of all requests and ticks so far.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct RunningFingerprint(Fnv);
-
-impl Default for RunningFingerprint {
-    fn default() -> Self {
-        Self(Fnv::new())
-    }
-}
 
 impl RunningFingerprint {
     /// Adds a request.
@@ -39,14 +33,20 @@ impl RunningFingerprint {
 
 /// FNV-1a hash of 64 bits (parameters of G. Fowler, L. Noll and K.-P. Vo).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Fnv(u64);
+pub struct Fnv(
+    /// The hash of the bytes so far.
+    pub u64,
+);
 
-impl Fnv {
-    const fn new() -> Self {
+impl Default for Fnv {
+    fn default() -> Self {
         Self(0xcbf2_9ce4_8422_2325)
     }
+}
 
-    fn bytes(&mut self, bytes: &[u8]) {
+impl Fnv {
+    /// Adds bytes.
+    pub fn bytes(&mut self, bytes: &[u8]) {
         for &byte in bytes {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
         }

@@ -56,7 +56,7 @@ pub use bica_wire::message::LogSource;
 pub use blob::{BlobRecord, Coding, StoredBlob};
 pub use cameras::Cameras;
 pub use compare::{Comparison, Decision, Difference};
-pub use digest::RunningFingerprint;
+pub use digest::{Fnv, RunningFingerprint};
 pub use error::Error;
 pub use figure::Figure;
 pub use header::{Ending, FORMAT, Header, ImagePolicy, MONITOR_FORMAT, MonitorInfo, SetUp, Topics};

@@ -1,10 +1,9 @@
 //! A robot without dynamics, which checks each answer against the rules of the interface.
 
-use std::fs;
 use std::io::{ErrorKind, Read, Write};
 use std::os::unix::net::{UnixListener, UnixStream};
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
@@ -13,6 +12,7 @@ use bica_lola::{ActuatorMap, LolaWorld, Options, PATIENCE, SensorMap, Standing, 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::NAO;
 use bica_motion::robot::{CameraId, Command};
+use bica_test_data::process::Folder;
 
 /// Longest wait for an answer.
 const WAIT: Duration = Duration::from_secs(5);
@@ -21,12 +21,9 @@ const CYCLE: Duration = Duration::from_millis(12);
 /// Maps in which the driver lets the robot stand up.
 pub(crate) const RISE: usize = 230;
 
-/// Number of the next test's folder.
-static NEXT: AtomicU32 = AtomicU32::new(0);
-
 /// Both sides: a driver in a thread, and a robot.
 pub(crate) struct StandIn {
-    folder: PathBuf,
+    folder: Folder,
     listener: UnixListener,
     stream: UnixStream,
     /// What was received and is no whole answer yet.
@@ -55,13 +52,11 @@ impl StandIn {
 
     /// The same with other options; sockets are in the folder of the option `socket`.
     pub(crate) fn start_with(program: Program, change: fn(&mut Options)) -> Self {
-        let number = NEXT.fetch_add(1, Ordering::Relaxed);
-        let folder = std::env::temp_dir().join(format!("bica-lola-{}-{number}", std::process::id()));
-        fs::create_dir_all(&folder).expect("a folder");
-        let listener = UnixListener::bind(folder.join("robocup")).expect("a socket");
+        let folder = Folder::new("lola");
+        let listener = UnixListener::bind(folder.path().join("robocup")).expect("a socket");
         let (stop, standing): (&'static AtomicBool, _) = (Box::leak(Box::default()), Arc::default());
         let mut options = Options {
-            socket: folder.join("robocup"),
+            socket: folder.path().join("robocup"),
             images: None,
             guard: None,
             limit: None,
@@ -94,8 +89,8 @@ impl StandIn {
     }
 
     /// Folder of the sockets.
-    pub(crate) fn folder(&self) -> PathBuf {
-        self.folder.clone()
+    pub(crate) fn folder(&self) -> &Path {
+        self.folder.path()
     }
 
     /// Sends bytes.
@@ -237,7 +232,6 @@ impl Drop for StandIn {
     fn drop(&mut self) {
         self.stop();
         _ = self.stream.shutdown(std::net::Shutdown::Both);
-        _ = fs::remove_dir_all(&self.folder);
     }
 }
 

@@ -103,12 +103,7 @@ impl Console {
     /// # Errors
     /// If stdout cannot be written.
     pub fn print_json(self, value: &impl Serialize) -> Result<(), Failure> {
-        if !self.json {
-            return Ok(());
-        }
-        let mut text = serde_json::to_vec_pretty(value).map_err(io::Error::from)?;
-        text.push(b'\n');
-        Ok(io::stdout().lock().write_all(&text)?)
+        self.write_json(|| serde_json::to_vec_pretty(value))
     }
 
     /// Prints a value as one line of JSON; nothing without `--json`.
@@ -116,12 +111,16 @@ impl Console {
     /// # Errors
     /// If stdout cannot be written.
     pub fn print_json_line(self, value: &impl Serialize) -> Result<(), Failure> {
+        self.write_json(|| serde_json::to_vec(value))
+    }
+
+    fn write_json(self, text: impl FnOnce() -> serde_json::Result<Vec<u8>>) -> Result<(), Failure> {
         if !self.json {
             return Ok(());
         }
-        let mut line = serde_json::to_vec(value).map_err(io::Error::from)?;
-        line.push(b'\n');
-        Ok(io::stdout().lock().write_all(&line)?)
+        let mut text = text().map_err(io::Error::from)?;
+        text.push(b'\n');
+        Ok(io::stdout().lock().write_all(&text)?)
     }
 
     /// Wraps a text in the escape sequences of a style if the output supports styles.

@@ -2,6 +2,8 @@
 
 use std::process::ExitCode;
 
+use super::interrupt;
+
 /// Result of a command that ended without an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
@@ -11,6 +13,18 @@ pub enum Outcome {
     Unsuccessful,
     /// Ctrl-C: exit code 130.
     Interrupted,
+}
+
+impl Outcome {
+    /// Returns the end of a command that has reached its goal, or has not; after a request to end the program it counts as interrupted.
+    #[must_use]
+    pub fn of(has_succeeded: bool) -> Self {
+        match has_succeeded {
+            _ if interrupt::requested() => Self::Interrupted,
+            true => Self::Success,
+            false => Self::Unsuccessful,
+        }
+    }
 }
 
 impl From<Outcome> for ExitCode {

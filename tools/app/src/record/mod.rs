@@ -15,6 +15,7 @@ use serde::Serialize;
 use args::{Files, InfoArgs, Merge, Out, RecordAction, Recover, Trim};
 
 use crate::console::{Console, Failure, Outcome, Style};
+use crate::values::end_of_span;
 pub(crate) use args::Record;
 pub use file::{Images, RecordArgs, RecordedFile, TopicsArg};
 
@@ -26,12 +27,8 @@ pub(crate) fn run<R: Recordable + Default>(args: &Record) -> Result<Outcome, Fai
             rewrite(files, "recovered", |source, target| repair::recover(source, target, topics.map(Topics::from)))
         }
         RecordAction::Trim(Trim { written: Recover { files, topics }, from, until }) => {
-            let nanoseconds = |seconds: f64| (seconds * 1e9) as u64;
-            let until = until.map_or(u64::MAX, nanoseconds);
-            let from = nanoseconds(*from);
-            if until < from {
-                return Err(Failure::new("--until is before --from", "give a later time with --until"));
-            }
+            // The conversion saturates: infinity is the largest time.
+            let [from, until] = [*from, end_of_span(*from, *until)?].map(|seconds| (seconds * 1e9) as u64);
             let topics = topics.map(Topics::from);
             rewrite(files, "trimmed", |source, target| repair::trim(source, target, from, until, topics))
         }

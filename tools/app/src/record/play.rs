@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::args::PlayArgs;
 use crate::console::{Console, Failure, Outcome, Style, interrupt};
 use crate::replay::recorded_robot;
+use crate::values::end_of_span;
 use crate::world::Robots;
 
 #[derive(Serialize)]
@@ -21,10 +22,7 @@ struct Report {
 /// Plays a recording of this robot until its end, or until Ctrl-C.
 pub(super) fn play<R: Recordable + Default>(args: &PlayArgs) -> Result<Outcome, Failure> {
     let console = Console::new(args.json);
-    let until = args.until.unwrap_or(f64::INFINITY);
-    if until < args.from {
-        return Err(Failure::new("--until is before --from", "give a later time with --until"));
-    }
+    let until = end_of_span(args.from, args.until)?;
     let options = PlayOptions {
         path: &args.file,
         address: &args.serve,
@@ -48,12 +46,8 @@ pub(super) fn play<R: Recordable + Default>(args: &PlayArgs) -> Result<Outcome, 
     if let Some(damage) = &damage {
         console.print_row("file", &console.styled(Style::Bad, damage))?;
     }
-    let unsuccessful = damage.is_some();
+    let is_whole = damage.is_none();
     let file = args.file.display().to_string();
     console.print_json(&Report { schema: "bica/played/1", file, cycles, passes, damage })?;
-    Ok(match () {
-        () if interrupt::requested() => Outcome::Interrupted,
-        () if unsuccessful => Outcome::Unsuccessful,
-        () => Outcome::Success,
-    })
+    Ok(Outcome::of(is_whole))
 }

@@ -6,7 +6,8 @@ mod subject;
 use bica_recording::{AfterGap, ReplayOptions, ReplayReport};
 use serde::Serialize;
 
-use crate::console::{Console, Failure, Outcome, Style, interrupt};
+use crate::console::{Console, Failure, Outcome, Style};
+use crate::values::end_of_span;
 
 pub(crate) use args::ReplayArgs;
 #[cfg(feature = "monitor")]
@@ -29,10 +30,7 @@ pub(crate) fn run(
     replay: impl FnOnce(&ReplayOptions<'_>) -> Result<ReplayReport, Failure>,
 ) -> Result<Outcome, Failure> {
     let console = Console::new(args.json);
-    let until = args.until.unwrap_or(f64::INFINITY);
-    if until < args.from {
-        return Err(Failure::new("--until is before --from", "give a later time with --until"));
-    }
+    let until = end_of_span(args.from, args.until)?;
     let options = ReplayOptions {
         path: &args.file,
         from: args.from,
@@ -44,13 +42,7 @@ pub(crate) fn run(
     let replayed = replay(&options)?;
     print(console, &replayed)?;
     console.print_json(&Report { schema: "bica/replay/1", replayed: &replayed })?;
-    Ok(if interrupt::requested() {
-        Outcome::Interrupted
-    } else if replayed.equal && replayed.damage.is_none() && replayed.gaps.is_empty() {
-        Outcome::Success
-    } else {
-        Outcome::Unsuccessful
-    })
+    Ok(Outcome::of(replayed.equal && replayed.damage.is_none() && replayed.gaps.is_empty()))
 }
 
 fn print(console: Console, replayed: &ReplayReport) -> Result<(), Failure> {

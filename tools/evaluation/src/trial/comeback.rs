@@ -6,8 +6,7 @@ use glam::Vec2;
 
 use super::fall_subject::FallSubject;
 use super::get_up::{GREATEST_PUSH, LEAST_PUSH};
-use super::rng::Rng;
-use super::series::Series;
+use super::series::{Series, random};
 use super::table::{Row, median};
 
 /// Earliest and latest time of the push, s after the start.
@@ -28,7 +27,7 @@ pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
 /// Returns the time from the fall to the next goal, s; `None` without a goal.
 fn play(series: &Series, seed: u64) -> Result<Option<f32>, Failure> {
     let mut subject = FallSubject::in_game(&Setup { seed, ..Setup::default() }, &series.physics, true)?;
-    let mut rng = Rng::new(seed);
+    let mut rng = random(seed);
     subject.run(rng.between(EARLIEST_PUSH, LATEST_PUSH))?;
     let direction = Vec2::from_angle(rng.between(0.0, core::f32::consts::TAU));
     subject.push(rng.between(LEAST_PUSH, GREATEST_PUSH) * direction);

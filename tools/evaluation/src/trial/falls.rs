@@ -12,8 +12,7 @@ use glam::Vec2;
 
 use super::fall_subject::FallSubject;
 use super::get_up::{GREATEST_PUSH, LEAST_PUSH, TIME_LIMIT};
-use super::rng::Rng;
-use super::series::Series;
+use super::series::{Series, random};
 use super::table::{Row, median};
 use super::walker::{Walker, cycles};
 
@@ -61,7 +60,7 @@ struct Fall {
 }
 
 fn fall(series: &Series, seed: u64, direction: Vec2) -> Result<Fall, Failure> {
-    let (mut subject, mut rng) = (FallSubject::new(series, seed)?, Rng::new(seed));
+    let (mut subject, mut rng) = (FallSubject::new(series, seed)?, random(seed));
     subject.run(rng.between(EARLIEST_PUSH, LATEST_PUSH))?;
     subject.push(rng.between(LEAST_PUSH, GREATEST_PUSH) * direction);
     subject.run(TIME_LIMIT + 2.0)?;
@@ -88,7 +87,7 @@ fn is_false_detection(balance: &mut FallDetector, walker: &mut Walker) -> bool {
 
 fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {
     let mut walker = Walker::new(NAO, seed, Pose2::ORIGIN, &series.physics)?;
-    let (mut rng, mut balance) = (Rng::new(seed), FallDetector::new(NAO));
+    let (mut rng, mut balance) = (random(seed), FallDetector::new(NAO));
     for _ in 0..WALKS {
         let velocity =
             Velocity { forward: rng.between(-0.1, 0.25), left: rng.between(-0.1, 0.1), turn: rng.between(-0.8, 0.8) };

@@ -4,8 +4,7 @@ use bica_app::Failure;
 use glam::Vec2;
 
 use super::fall_subject::FallSubject;
-use super::rng::Rng;
-use super::series::Series;
+use super::series::{Series, random};
 use super::table::{Row, median};
 
 /// Time to get up, s.
@@ -32,7 +31,7 @@ pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
 fn push_over(series: &Series, seed: u64, direction: Vec2) -> Result<Option<f32>, Failure> {
     let mut subject = FallSubject::new(series, seed)?;
     subject.run(1.0)?;
-    subject.push(Rng::new(seed).between(LEAST_PUSH, GREATEST_PUSH) * direction);
+    subject.push(random(seed).between(LEAST_PUSH, GREATEST_PUSH) * direction);
     subject.run(TIME_LIMIT + 1.0)?;
     Ok(subject.time_down().filter(|time| *time <= TIME_LIMIT))
 }

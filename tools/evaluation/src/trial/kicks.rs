@@ -11,8 +11,7 @@ use bica_sim::mujoco::Physics;
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
-use super::rng::Rng;
-use super::series::Series;
+use super::series::{Series, random};
 use super::table::{Row, median};
 use super::walker::Walker;
 
@@ -89,7 +88,7 @@ pub fn kick_ball(
     profile: &'static Profile,
 ) -> Result<KickResult, Failure> {
     let mut walker = Walker::new(model, seed, Pose2::new(-1.0, 0.0, 0.0), physics)?;
-    let mut rng = Rng::new(seed);
+    let mut rng = random(seed);
     let mut beside = || rng.between(-BALL_ERROR, BALL_ERROR);
     let start = ground(&mut walker);
     let ball = start.place(kick.ball(&profile.kicks) + Vec2::new(beside(), beside()));
@@ -112,7 +111,7 @@ pub fn kick_ball(
 /// Walks to a ball in front of a foot, kicks it in the walk, and walks on.
 fn dribble(series: &Series, seed: u64, foot: Side) -> Result<KickResult, Failure> {
     let mut walker = Walker::new(series.model, seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
-    let mut rng = Rng::new(seed);
+    let mut rng = random(seed);
     let start = ground(&mut walker);
     let half = series.model.dynamic_profile.gait.half_spacing;
     // The phase of the step in which the ball comes within reach is random.

@@ -10,7 +10,6 @@ mod kicks;
 mod obstacles;
 mod odometry;
 mod rising;
-mod rng;
 mod series;
 mod table;
 mod walker;

@@ -3,6 +3,7 @@
 use std::f32::consts::{FRAC_PI_2, PI};
 
 use bica_app::Failure;
+use bica_body::random::Random;
 use bica_field::FIELD;
 use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
@@ -13,8 +14,7 @@ use glam::Vec2;
 
 use super::fall_subject::FallSubject;
 use super::get_up::{GREATEST_PUSH, LEAST_PUSH};
-use super::rng::Rng;
-use super::series::Series;
+use super::series::{Series, random};
 use super::table::{Row, median};
 
 /// Range of a distance from the centre of the robot, m: least and greatest.
@@ -31,7 +31,7 @@ const TIME_LIMIT: f32 = 45.0;
 const STANDING_TIME: f32 = 3.0;
 
 /// Function that draws the pose of the robot before the push; the vector is the position of the goalkeeper.
-type Place = fn(&mut Rng, Vec2) -> Pose2;
+type Place = fn(&mut Random, Vec2) -> Pose2;
 
 /// Runs pushes in random directions beside three kinds of obstacles.
 pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
@@ -65,7 +65,7 @@ struct GetUp {
 
 /// Pushes the robot over; returns `None` if it does not stand for good in time, or cannot be pushed over.
 fn push_over(series: &Series, seed: u64, place: Place) -> Result<Option<GetUp>, Failure> {
-    let mut rng = Rng::new(seed);
+    let mut rng = random(seed);
     let setup = Setup { seed, ..Setup::default() };
     let robot = place(&mut rng, keeper(&setup, series)?);
     let start = Some(Start { robot, ball: Vec2::new(-2.8, 1.8) });
@@ -92,13 +92,13 @@ fn keeper(setup: &Setup, series: &Series) -> Result<Vec2, Failure> {
 }
 
 /// Draws a pose in front of or beside a post.
-fn at_post(rng: &mut Rng, _: Vec2) -> Pose2 {
+fn at_post(rng: &mut Random, _: Vec2) -> Pose2 {
     let at = FIELD.goal_post() + outward(rng, POST_DISTANCE);
     either(at, rng)
 }
 
 /// Draws a pose between the posts, beside the net.
-fn in_goal(rng: &mut Rng, _: Vec2) -> Pose2 {
+fn in_goal(rng: &mut Random, _: Vec2) -> Pose2 {
     let at = Vec2::new(
         rng.between(FIELD.goal_post().x, FIELD.goal_back() - POST_DISTANCE.0),
         FIELD.goal_post().y - rng.between(POST_DISTANCE.0, POST_DISTANCE.1),
@@ -107,7 +107,7 @@ fn in_goal(rng: &mut Rng, _: Vec2) -> Pose2 {
 }
 
 /// Draws a pose on any side of the goalkeeper except behind it, where the goal is, and not in a post.
-fn at_keeper(rng: &mut Rng, keeper: Vec2) -> Pose2 {
+fn at_keeper(rng: &mut Random, keeper: Vec2) -> Pose2 {
     loop {
         let pose = Pose2 { position: keeper + outward(rng, KEEPER_DISTANCE), heading: rng.between(-PI, PI) };
         let at = Vec2::new(pose.position.x, pose.position.y.abs());
@@ -118,12 +118,12 @@ fn at_keeper(rng: &mut Rng, keeper: Vec2) -> Pose2 {
 }
 
 /// Draws an offset away from the goal, with a length in this range.
-fn outward(rng: &mut Rng, distance: Range) -> Vec2 {
+fn outward(rng: &mut Random, distance: Range) -> Vec2 {
     rng.between(distance.0, distance.1) * Vec2::from_angle(rng.between(FRAC_PI_2, 3.0 * FRAC_PI_2))
 }
 
 /// Returns this position or its mirror image at the other post, with a random heading.
-fn either(at: Vec2, rng: &mut Rng) -> Pose2 {
+fn either(at: Vec2, rng: &mut Random) -> Pose2 {
     let position = if rng.between(-1.0, 1.0) < 0.0 { Vec2::new(at.x, -at.y) } else { at };
     Pose2 { position, heading: rng.between(-PI, PI) }
 }

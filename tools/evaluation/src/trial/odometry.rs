@@ -7,8 +7,7 @@ use bica_motion::model::simulation::NAO;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::walk::Velocity;
 
-use super::rng::Rng;
-use super::series::Series;
+use super::series::{Series, random};
 use super::table::{Row, median};
 use super::walker::{Walker, cycles};
 
@@ -24,7 +23,7 @@ const MAX_HEADING_ERROR: f32 = 8.0;
 /// Measures the error of odometry after three metres of mixed walking.
 pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let runs = series.each(|seed| {
-        let mut rng = Rng::new(seed);
+        let mut rng = random(seed);
         let mut walker = Walker::new(NAO, seed, Pose2::new(0.0, 0.0, rng.between(-PI, PI)), &series.physics)?;
         let (start, start_estimate) = (walker.pose(), walker.odometry_pose());
         let mut path = 0.0;

@@ -12,8 +12,7 @@ use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
 use super::get_up::{GREATEST_PUSH, LEAST_PUSH, TIME_LIMIT};
-use super::rng::Rng;
-use super::series::Series;
+use super::series::{Series, random};
 use super::table::{Row, median};
 use super::walker::{Walker, cycles};
 
@@ -42,7 +41,7 @@ pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
 /// Returns the time from the first movement until the robot has stood for half a second and stands until the end, s.
 fn push_over(series: &Series, seed: u64, direction: Vec2) -> Result<Option<f32>, Failure> {
     let mut walker = Walker::new(series.model, seed, Pose2::ORIGIN, &series.physics)?;
-    walker.world.add_velocity(Rng::new(seed).between(LEAST_PUSH, GREATEST_PUSH) * direction);
+    walker.world.add_velocity(random(seed).between(LEAST_PUSH, GREATEST_PUSH) * direction);
     let mut falls = FallDetector::new(series.model);
     let (mut movement, mut failures, mut rest, mut began) = (GetUp::none(series.model), 0, REST, None);
     for _ in 0..cycles(FALL + TIME_LIMIT) {

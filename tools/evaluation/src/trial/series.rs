@@ -1,6 +1,7 @@
 //! The same trial with many seeds.
 
 use bica_app::{Batch, Failure};
+use bica_body::random::Random;
 use bica_motion::model::simulation::SimulatedModel;
 use bica_sim::mujoco::Physics;
 
@@ -48,4 +49,9 @@ impl Series {
     pub(super) fn each<T: Send>(&self, trial: impl Fn(u64) -> Result<T, Failure> + Sync) -> Result<Vec<T>, Failure> {
         self.batch.run(trial)
     }
+}
+
+/// Returns the random numbers of a run.
+pub(super) fn random(seed: u64) -> Random {
+    Random::new(seed, 0x7472_6961_6c73_u64)
 }

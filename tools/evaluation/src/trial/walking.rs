@@ -3,6 +3,7 @@
 use std::f32::consts::{PI, TAU};
 
 use bica_app::Failure;
+use bica_body::random::Random;
 use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::walk::Velocity;
@@ -11,8 +12,7 @@ use bica_sim::mujoco::Physics;
 use glam::Vec2;
 
 use super::course::{PushCase, VelocityCase};
-use super::rng::Rng;
-use super::series::Series;
+use super::series::{Series, random};
 use super::table::{Row, mean};
 use super::walker::{Walker, cycles};
 
@@ -105,7 +105,7 @@ pub(super) fn bodies(series: &Series) -> Result<Vec<Row>, Failure> {
 
 fn commands_row(series: &Series, name: &str, physics: &Physics, required: u32) -> Result<Row, Failure> {
     let runs = series.each(|seed| {
-        let mut rng = Rng::new(seed);
+        let mut rng = random(seed);
         let mut walker = Walker::new(NAO, seed, Pose2::new(0.0, 0.0, rng.between(-PI, PI)), physics)?;
         for _ in 0..30 {
             walker.go(inward(&mut rng, walker.pose()), INTERVAL);
@@ -116,7 +116,7 @@ fn commands_row(series: &Series, name: &str, physics: &Physics, required: u32) -
 }
 
 /// Draws a random command. Far from the centre of the field, draws eight and returns the one that ends nearest to it.
-fn inward(rng: &mut Rng, pose: Pose2) -> Velocity {
+fn inward(rng: &mut Random, pose: Pose2) -> Velocity {
     let mut any = || {
         let forward = rng.between(-0.1, 0.2);
         Velocity::new(forward, rng.between(-0.1, 0.1), rng.between(-0.6, 0.6))
@@ -137,7 +137,7 @@ fn inward(rng: &mut Rng, pose: Pose2) -> Velocity {
 pub(super) fn pushes(series: &Series) -> Result<Vec<Row>, Failure> {
     let row = |case: &PushCase| {
         let runs = series.each(|seed| {
-            let mut rng = Rng::new(seed);
+            let mut rng = random(seed);
             let ahead = Velocity::new(series.course.pushed_velocity, 0.0, 0.0);
             let start =
                 Vec2::new(-0.5 * INTERVAL * (case.times + 1) as f32 * series.course.pushed_velocity, BESIDE_GOALS);

@@ -27,7 +27,6 @@ pub use arrange::Arrange;
 pub use breakpoint::{Breakpoint, Hit, Reached};
 pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
 pub use from_page::{FromPage, Request};
-pub(crate) use limits::check_length;
 pub use limits::{LIMITS, Limits};
 pub use open::Open;
 pub use session::{Capabilities, Connection, Control, RecordingState, SessionInfo, SessionKind};
@@ -35,7 +34,7 @@ pub use source_file::{
     ChangedBy, Drawn, FileState, PlacedNote, SourceChange, SourceComponent, SourceFile, SourceState, SourceTable,
     SourceUse, StatePosition,
 };
-pub use source_request::{DrawingFormat, KeepSide, MovedState, SourcePlace, SourceRequest};
+pub use source_request::{MovedState, SourcePlace, SourceRequest};
 pub use state::{
     Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, Job, LogLine, Moment, OutputSample, Row,
 };

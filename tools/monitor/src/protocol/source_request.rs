@@ -1,8 +1,9 @@
 //! Requests about sources.
 
+use bica_vicode::draw::Format;
 use bica_vicode::model::Span;
 use bica_vicode::trial::Step;
-use bica_vicode::{Edit, Note};
+use bica_vicode::{Edit, Keep, Note};
 use serde::{Deserialize, Serialize};
 
 /// A request about sources. In brackets: the `result` of the answer, if there is one. A `file` is a path below the folder of
@@ -29,7 +30,7 @@ pub enum SourceRequest {
     /// Saves a file at once. A deleted file is created again.
     SaveFile { file: String },
     /// Resolves a conflict. [`{"version": number}`]
-    ResolveFile { file: String, keep: KeepSide },
+    ResolveFile { file: String, keep: Keep },
     /// Moves states on the canvas. The positions are written to the layout file at once.
     MoveStates { file: String, positions: Vec<MovedState> },
     /// Removes the stored positions of a component's states. [`{"positions": list of` [`StatePosition`](super::StatePosition)`}`]
@@ -48,7 +49,7 @@ pub enum SourceRequest {
     /// [`{"file": text, "files": [{"file", "diff"}]}`]
     NewComponent { name: String, folder: String, tree: Option<String>, import: Option<String>, dry: bool },
     /// Draws a machine. [`{"text": text}`, or of a PNG `{"base64": text}`]
-    DrawFile { file: String, component: String, format: DrawingFormat },
+    DrawFile { file: String, component: String, format: Format },
     /// Finds edits that fix the mistakes of a file. [`{"version": number, "fixes": list for each mistake of `{"label", "edit"}`}`]
     Fixes { file: String },
     /// Compares a file with its last commit. [`{"revision": text, "new": bool, "report": text, "comparison", "both": object from component
@@ -63,18 +64,6 @@ pub enum SourceRequest {
     Run { seed: u64, robots: usize },
     /// Ends a build and the running program.
     StopRun {},
-}
-
-/// Text that resolves a conflict.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum KeepSide {
-    /// The text of the page.
-    Ours,
-    /// The text of the file.
-    Theirs,
-    /// A text that combines both.
-    Text(String),
 }
 
 /// New centre of a state on the canvas, points.
@@ -99,18 +88,4 @@ pub struct SourcePlace {
     pub file: String,
     /// Span in the file.
     pub span: Span,
-}
-
-/// Format of a drawing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum DrawingFormat {
-    /// Vector graphics.
-    Svg,
-    /// Picture.
-    Png,
-    /// `stateDiagram-v2` of Mermaid.
-    Mermaid,
-    /// `digraph` of Graphviz.
-    Dot,
 }

@@ -16,9 +16,7 @@ use crate::options::Options;
 use crate::pages::Outbox;
 use crate::pages::{PageId, lock};
 use crate::program::{Extension, Program, Reply};
-use crate::protocol::{
-    Failed, FromPage, LIMITS, Open, Request, SessionId, SessionKind, ToPage, VERSION, World, check_length,
-};
+use crate::protocol::{Failed, FromPage, LIMITS, Open, Request, SessionId, SessionKind, ToPage, VERSION, World};
 use crate::source::{Editor, Host};
 use bica_wire::message::LogSource;
 
@@ -273,4 +271,11 @@ impl Drop for Manager {
         // The removal fails if a thread that is still ending has a file there. The folder is one for temporary files.
         let _ = std::fs::remove_dir(&self.common.options.spool);
     }
+}
+
+/// Checks the length of a text, characters.
+fn check_length(what: &str, text: &str, limit: usize) -> Result<(), Failed> {
+    let length = text.chars().count();
+    let long = || Failed::new(format!("{what} has {length} characters"), format!("write at most {limit}"));
+    (length <= limit).then_some(()).ok_or_else(long)
 }

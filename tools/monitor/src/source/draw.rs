@@ -3,15 +3,15 @@
 use std::fmt::Write as _;
 
 use bica_vicode::Layout;
-use bica_vicode::draw::{Diagram, dot, mermaid, png, svg};
+use bica_vicode::draw::{Diagram, Format, dot, mermaid, png, svg};
 use serde_json::{Value, json};
 
 use super::files::Files;
-use crate::protocol::{DrawingFormat, Drawn, Failed};
+use crate::protocol::{Drawn, Failed};
 
 impl Files {
     /// Draws a machine as arranged on the canvas.
-    pub(super) fn draw(&self, name: &str, component: &str, format: DrawingFormat) -> Result<Value, Failed> {
+    pub(super) fn draw(&self, name: &str, component: &str, format: Format) -> Result<Value, Failed> {
         let mut open = self.open();
         let file = self.get(&mut open, name)?;
         let found = file.document.model().component(component).filter(|component| component.is_machine());
@@ -30,10 +30,10 @@ impl Files {
         }
         drop(open);
         Ok(match format {
-            DrawingFormat::Mermaid => json!({ "text": mermaid(&machine) }),
-            DrawingFormat::Dot => json!({ "text": dot(&machine) }),
-            DrawingFormat::Svg => json!({ "text": svg(&Diagram::of(&machine, &layout)) }),
-            DrawingFormat::Png => {
+            Format::Mermaid => json!({ "text": mermaid(&machine) }),
+            Format::Dot => json!({ "text": dot(&machine) }),
+            Format::Svg => json!({ "text": svg(&Diagram::of(&machine, &layout)) }),
+            Format::Png => {
                 let diagram = Diagram::of(&machine, &layout);
                 if diagram.width * diagram.height > 64e6 {
                     return Err(Failed::new(

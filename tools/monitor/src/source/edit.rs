@@ -10,7 +10,7 @@ use super::files::{Files, failed, no_component};
 use super::{limits, save};
 use crate::pages::PageId;
 use crate::pages::lock;
-use crate::protocol::{ChangedBy, Failed, KeepSide, MovedState, SourcePlace};
+use crate::protocol::{ChangedBy, Failed, MovedState, SourcePlace};
 
 /// Returns the error for a page whose edit was refused.
 pub(super) fn refused(refusal: &Refusal, file: &OpenFile) -> Failed {
@@ -95,15 +95,10 @@ impl Files {
         Ok(json!({ "version": version }))
     }
 
-    pub(super) fn resolve(&self, page: PageId, name: &str, keep: KeepSide) -> Result<Value, Failed> {
-        let keep = match keep {
-            KeepSide::Ours => Keep::Ours,
-            KeepSide::Theirs => Keep::Theirs,
-            KeepSide::Text(text) => {
-                limits::text(&text)?;
-                Keep::Text(text)
-            }
-        };
+    pub(super) fn resolve(&self, page: PageId, name: &str, keep: Keep) -> Result<Value, Failed> {
+        if let Keep::Text(text) = &keep {
+            limits::text(text)?;
+        }
         let mut open = self.open();
         let file = self.get(&mut open, name)?;
         let from = file.document.version();
@@ -138,8 +133,7 @@ impl Files {
         file.publish(&self.pages, None, ChangedBy::Page, page);
         let name = file.name.clone();
         drop(open);
-        let _disk = lock(&self.disk);
-        self.write_layout(&name, true).map(|()| Value::Null)
+        self.layout_changed(&name).map(|()| Value::Null)
     }
 
     /// Replaces a note of a component; writes the layout file.
@@ -163,8 +157,7 @@ impl Files {
         file.publish(&self.pages, None, ChangedBy::Page, page);
         let name = file.name.clone();
         drop(open);
-        let _disk = lock(&self.disk);
-        self.write_layout(&name, true).map(|()| Value::Null)
+        self.layout_changed(&name).map(|()| Value::Null)
     }
 
     /// Removes the stored positions of a component's states; writes the layout file.
@@ -181,9 +174,13 @@ impl Files {
         file.publish(&self.pages, None, ChangedBy::Page, page);
         let (name, positions) = (file.name.clone(), file.drawn().positions.clone());
         drop(open);
-        let _disk = lock(&self.disk);
-        self.write_layout(&name, true)?;
+        self.layout_changed(&name)?;
         Ok(json!({ "positions": positions }))
+    }
+
+    fn layout_changed(&self, name: &str) -> Result<(), Failed> {
+        let _disk = lock(&self.disk);
+        self.write_layout(name, true)
     }
 
     /// Refuses to rename a function if other files certainly use it at places that are not among the chosen ones.

@@ -2,32 +2,24 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
 
+use bica_test_data::process;
 use bica_test_data::random::Random;
-use bica_vicode::{Edit, Folder};
+use bica_vicode::{Edit, Folder, Keep};
 
 use super::files::Files;
-use crate::protocol::KeepSide;
 
 /// Number of functions that are edited.
 const FUNCTIONS: usize = 4;
 const NAME: &str = "machine.rs";
 
-/// An open file without threads: the test decides when it is compared with the disk and saved. Its folder is removed at the end.
+/// An open file without threads: the test decides when it is compared with the disk and saved.
 struct Bench {
-    folder: PathBuf,
+    folder: process::Folder,
     files: Files,
     /// For each marker the one that it replaced, in the text of its writer.
     replaced: BTreeMap<String, String>,
-}
-
-impl Drop for Bench {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.folder);
-    }
 }
 
 fn source() -> String {
@@ -50,12 +42,9 @@ fn marker(text: &str, function: usize) -> String {
 
 impl Bench {
     fn new() -> Self {
-        static COUNT: AtomicU32 = AtomicU32::new(0);
-        let number = COUNT.fetch_add(1, Ordering::Relaxed);
-        let folder = std::env::temp_dir().join(format!("jmanager-interleaved-{}-{number}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
-        fs::write(folder.join(NAME), source()).unwrap();
-        let files = Files::new(Folder::open(&folder).unwrap(), Arc::default(), None);
+        let folder = process::Folder::new("interleaved");
+        fs::write(folder.path().join(NAME), source()).unwrap();
+        let files = Files::new(Folder::open(folder.path()).unwrap(), Arc::default(), None);
         files.get(&mut files.open(), NAME).unwrap();
         Self { folder, files, replaced: BTreeMap::new() }
     }
@@ -65,7 +54,7 @@ impl Bench {
     }
 
     fn there(&self) -> String {
-        fs::read_to_string(self.folder.join(NAME)).unwrap()
+        fs::read_to_string(self.folder.path().join(NAME)).unwrap()
     }
 
     fn has_conflict(&self) -> bool {
@@ -84,7 +73,7 @@ impl Bench {
         let old = marker(&text, function);
         let text = text.replace(&format!("let _ = {old};"), &format!("let _ = {new};"));
         self.replaced.insert(new.to_owned(), old);
-        fs::write(self.folder.join(NAME), text).unwrap();
+        fs::write(self.folder.path().join(NAME), text).unwrap();
     }
 
     /// Compares with the disk and saves, until nothing changes any more.
@@ -153,9 +142,9 @@ fn interleave(seed: u64) -> bool {
     bench.settle();
     assert_eq!((bench.here(), bench.there()), (here.clone(), there.clone()), "seed {seed}: nothing is overwritten");
     let (keep, expected) = match random.below(3) {
-        0 => (KeepSide::Ours, here),
-        1 => (KeepSide::Theirs, there),
-        _ => (KeepSide::Text("// both\n".to_owned()), "// both\n".to_owned()),
+        0 => (Keep::Ours, here),
+        1 => (Keep::Theirs, there),
+        _ => (Keep::Text("// both\n".to_owned()), "// both\n".to_owned()),
     };
     bench.files.resolve(1, NAME, keep).unwrap();
     bench.settle();

@@ -149,12 +149,7 @@ impl Page {
     /// Sends a request and waits for its answer.
     pub(crate) fn ask(&self, request: Request) -> Result<Value, Value> {
         let id = self.send(request);
-        self.message("answer", |message| {
-            (message["id"] == id).then(|| match message.get("error") {
-                Some(error) => Err(error.clone()),
-                None => Ok(message.get("result").cloned().unwrap_or(Value::Null)),
-            })
-        })
+        self.message("answer", |message| answer(message, id))
     }
 
     /// Returns the state after the last cycle.
@@ -196,6 +191,14 @@ impl Drop for Page {
     fn drop(&mut self) {
         self.bench.manager.detach(self.id);
     }
+}
+
+/// Returns the result or the error in the answer to a request.
+pub(crate) fn answer(message: &Value, id: u32) -> Option<Result<Value, Value>> {
+    (message["type"] == "answer" && message["id"] == id).then(|| match message.get("error") {
+        Some(error) => Err(error.clone()),
+        None => Ok(message.get("result").cloned().unwrap_or(Value::Null)),
+    })
 }
 
 /// Options with all folders below this one.

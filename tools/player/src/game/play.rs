@@ -140,7 +140,7 @@ impl Game {
             link,
             cycles: 0,
             tree_changes: 0,
-            fingerprint: Fingerprint::new(),
+            fingerprint: Fingerprint::default(),
             cycle_time: Duration::ZERO,
             start,
             ball_path: vec![ball],

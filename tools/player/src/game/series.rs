@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
-use bica_app::{Batch, Console, Failure, InForce, Outcome, Progress, interrupt};
+use bica_app::{Batch, Console, Failure, InForce, Outcome, Progress};
 
 use crate::game::Album;
 use crate::game::observer::GameObserver;
@@ -39,13 +39,7 @@ pub(crate) fn play_series(
     series_summary::print(console, &series)?;
     console.print_json(&series)?;
     let required = options.at_least.unwrap_or(options.games) as usize;
-    Ok(if interrupt::requested() {
-        Outcome::Interrupted
-    } else if series.goals() >= required {
-        Outcome::Success
-    } else {
-        Outcome::Unsuccessful
-    })
+    Ok(Outcome::of(series.goals() >= required))
 }
 
 /// Plays all games; returns those that were played to their end, in the order of their seeds.

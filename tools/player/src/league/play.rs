@@ -8,13 +8,14 @@ use bica::runner::{Runner, World};
 use bica_app::{Batch, Console, Failure, Outcome, RunArgs, interrupt};
 use bica_evaluation::statistics::percentile;
 use bica_player::league::Forward;
-use bica_recording::{Recording, ReplayOptions, ReplayReport};
+use bica_recording::{ReplayOptions, ReplayReport};
 use serde::Serialize;
 
 use super::entry::{Entry, failure, server};
 use super::robot::{self, FOOTBALLERS, Footballer, ROBOT, Standing, WORLD};
 use super::world::{LeagueGame, LeagueWorld};
 use crate::cli::Play;
+use crate::play::recorded_options;
 
 /// Report of a series, for JSON.
 #[derive(Serialize)]
@@ -50,11 +51,7 @@ fn filmed(robot: &'static Footballer, args: &Play, entry: &Entry, film: &Path) -
     let console = Console::new(args.json);
     let game = super::film::play(robot, entry, &layers.settings(), args.game_seconds(), film, console)?;
     console.print_json(&game)?;
-    Ok(match game.goal_s {
-        _ if interrupt::requested() => Outcome::Interrupted,
-        None if entry.server.is_none() => Outcome::Unsuccessful,
-        _ => Outcome::Success,
-    })
+    Ok(Outcome::of(game.goal_s.is_some() || entry.server.is_some()))
 }
 
 /// Returns an error: MuJoCo, which renders the film, is missing from this program.
@@ -67,16 +64,9 @@ fn filmed(_robot: &'static Footballer, _args: &Play, _entry: &Entry, _film: &Pat
 
 /// Replays the recording of a game; `None` if the recording is not of this robot.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
-    // The reader of the other games reports an unreadable file.
-    let recording = Recording::open(options.path).ok()?;
-    let set_up = &recording.header().set_up;
-    let world = set_up.get("world")?.as_str()?;
-    let options_of_world = set_up.get("options").and_then(|options| options.as_array());
-    let is_of = |robot: &&Footballer| options_of_world.is_some_and(|all| all.contains(&option(robot).into()));
-    (world == WORLD).then(|| {
-        let robot = FOOTBALLERS.iter().find(is_of).unwrap_or(&FOOTBALLERS[0]);
-        robot::app(robot, Entry::default(), &Standing::default()).repeat(options)
-    })
+    let recorded = recorded_options(options.path, WORLD)?;
+    let robot = FOOTBALLERS.iter().find(|robot| recorded.contains(&option(robot))).unwrap_or(&FOOTBALLERS[0]);
+    Some(robot::app(robot, Entry::default(), &Standing::default()).repeat(options))
 }
 
 /// Option of the world that names the robot, for the replay of a recording.
@@ -89,16 +79,10 @@ fn game(robot: &'static Footballer, args: &Play, entry: Entry) -> Result<Outcome
     let standing = Standing::default();
     let is_own = entry.server.is_none();
     let run = RunArgs {
-        world: WORLD.to_owned(),
-        seed: args.seed,
-        option: vec![option(robot)],
         realtime: args.realtime,
         seconds: Some(args.game_seconds()),
-        record: args.record.clone(),
-        link: args.link.clone(),
         tuning: args.tuning.of_known_robot(),
-        log: None,
-        json: args.json,
+        ..args.run_args(WORLD, vec![option(robot)])
     };
     let outcome = robot::app(robot, entry, &standing).play(&run)?;
     let (game, error) = &*standing.lock().unwrap_or_else(PoisonError::into_inner);
@@ -145,11 +129,7 @@ fn series(robot: &'static Footballer, args: &Play, entry: &Entry) -> Result<Outc
     }
     console.print_json(&Report { schema: "bica-player/league/1", robot: robot.id(), goals, falls, games: &games })?;
     let needed = args.at_least.map_or(games.len(), |needed| needed as usize);
-    Ok(match interrupt::requested() {
-        true => Outcome::Interrupted,
-        false if goals >= needed => Outcome::Success,
-        false => Outcome::Unsuccessful,
-    })
+    Ok(Outcome::of(goals >= needed))
 }
 
 /// Returns server, team and number of the player; refuses options that this world does not support.

@@ -52,19 +52,9 @@ pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
         Ok(RefereedWorld::new(Box::new(open_world(&rules)?), network))
     };
     let app = App::<TeamForward, ColourProfile>::new("player").robot(maker::<false>(attacks)).try_world(WORLD, open);
-    app.play(&RunArgs {
-        world: WORLD.to_owned(),
-        seed: args.seed,
-        option: [args.option.clone(), vec![attacked::option(attacks)]].concat(),
-        // The network runs in real time.
-        realtime: true,
-        seconds: args.seconds,
-        record: args.record.clone(),
-        link: args.link.clone(),
-        tuning: args.tuning.clone(),
-        log: None,
-        json: args.json,
-    })
+    let option = [args.option.clone(), vec![attacked::option(attacks)]].concat();
+    // The network runs in real time.
+    app.play(&RunArgs { realtime: true, seconds: args.seconds, ..args.run_args(WORLD, option) })
 }
 
 /// Replays the recording of a game or of a robot in a match; `None` if the recording is of neither.

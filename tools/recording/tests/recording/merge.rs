@@ -2,41 +2,24 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use bica_recording::{Error, Header, ImagePolicy, Info, Recorder, Robots, Start};
+use bica_test_data::process::Folder;
 
 use crate::cdr::{Cdr, messages};
 use crate::support::{Disk, header, run, scenery, small_chunks};
 
-/// Folder that is removed at the end of a test.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-        let _ = fs::remove_dir_all(&folder);
-        fs::create_dir_all(folder.join("other")).expect("room");
-        Self(folder)
-    }
-
-    /// Records a cart that starts at a second of the year, in a clock that begins at another time, ms.
-    fn record(&self, name: &str, second: u32, clock: u64) -> PathBuf {
-        let start = Start { time: format!("2026-01-01T00:00:{second:02}.500Z"), host: String::new() };
-        let header = Header { start, scenery: vec![scenery("wall", "room")], ..header(ImagePolicy::All) };
-        let disk = Disk::default();
-        let recorder = Recorder::start(disk.clone(), &header, small_chunks(), |_| {}).expect("memory");
-        assert_eq!(run(recorder, clock, 60).cycles, 60);
-        let path = self.0.join(name);
-        fs::write(&path, disk.contents()).expect("room");
-        path
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
+/// Records a cart that starts at a second of the year, in a clock that begins at another time, ms.
+fn record(folder: &Folder, name: &str, second: u32, clock: u64) -> PathBuf {
+    let start = Start { time: format!("2026-01-01T00:00:{second:02}.500Z"), host: String::new() };
+    let header = Header { start, scenery: vec![scenery("wall", "room")], ..header(ImagePolicy::All) };
+    let disk = Disk::default();
+    let recorder = Recorder::start(disk.clone(), &header, small_chunks(), |_| {}).expect("memory");
+    assert_eq!(run(recorder, clock, 60).cycles, 60);
+    let path = folder.path().join(name);
+    fs::write(&path, disk.contents()).expect("room");
+    path
 }
 
 /// 2026-01-01, ns since 1970.
@@ -45,7 +28,7 @@ const YEAR: u64 = 1_767_225_600_000_000_000;
 #[test]
 fn robots_have_their_own_topics_on_one_time() {
     let folder = Folder::new("merged");
-    let paths = [folder.record("alice.mcap", 3, 0), folder.record("bob.mcap", 1, 70_000)];
+    let paths = [record(&folder, "alice.mcap", 3, 0), record(&folder, "bob.mcap", 1, 70_000)];
     let mut file = Vec::new();
     let copied = Robots::open(&paths, None).and_then(|robots| robots.merge(&mut file)).expect("two robots");
     assert_eq!((copied.cycles, copied.bytes), (120, file.len() as u64));
@@ -75,16 +58,17 @@ fn robots_have_their_own_topics_on_one_time() {
 #[test]
 fn equal_names_and_a_single_recording_are_refused() {
     let folder = Folder::new("merged-refused");
-    let paths = [folder.record("alice.mcap", 0, 0), folder.record("other/alice.mcap", 0, 0)];
+    fs::create_dir(folder.path().join("other")).expect("room");
+    let paths = [record(&folder, "alice.mcap", 0, 0), record(&folder, "other/alice.mcap", 0, 0)];
     let refused = |paths: &[PathBuf]| Robots::open(paths, None).expect_err("refused").to_string();
     let names = refused(&paths);
     assert!(names.contains("refused/alice.mcap") && names.contains("other/alice.mcap"), "{names}");
     assert!(refused(&paths[..1]).contains("nothing to merge"));
     assert!(refused(&[paths[0].clone(), paths[0].clone()]).contains("alice.mcap` is given twice"));
-    let missing = [paths[0].clone(), folder.0.join("missing.mcap")];
+    let missing = [paths[0].clone(), folder.path().join("missing.mcap")];
     assert!(refused(&missing).contains("missing.mcap"));
     let whole = fs::read(&paths[0]).expect("a file");
-    let cut = folder.0.join("cut.mcap");
+    let cut = folder.path().join("cut.mcap");
     fs::write(&cut, &whole[..whole.len() / 2]).expect("room");
     let paths = [paths[0].clone(), cut];
     let failed = Robots::open(&paths, None).and_then(|robots| robots.merge(std::io::sink())).expect_err("cut");

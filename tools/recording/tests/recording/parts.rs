@@ -1,49 +1,32 @@
 //! Recordings that are split: each part is complete, and all of them are the recording.
 
 use std::fs::{self, File};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use bica::{Setting, Tree, Value};
 use bica_recording::{
     Backpressure, ImagePolicy, Info, Recorder, RecorderOptions, Recording, ReplayOptions, Report, RunPart, RunParts,
     Split, create, replay,
 };
+use bica_test_data::process::Folder;
 
 use crate::replay::subject;
 use crate::support::{Cart, Counter, cycles, header, recorded, run, run_with, small_chunks};
 
-/// Folder of the files of a test, which is removed at its end.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-        let _ = fs::remove_dir_all(&folder);
-        fs::create_dir(&folder).expect("room");
-        Self(folder)
-    }
-
-    fn file(&self, number: u32) -> PathBuf {
-        RunPart::path(&self.0.join("run.mcap"), number)
-    }
-
-    fn recorder(&self, split: Split) -> Recorder {
-        let path = self.0.join("run.mcap");
-        let file = move |number| create(&RunPart::path(&path, number), false);
-        let options = RecorderOptions { backpressure: Backpressure::Wait, ..small_chunks() };
-        Recorder::start_split(file, split, &header(ImagePolicy::All), options, |_| {}).expect("room")
-    }
-
-    /// Returns the paths of all parts.
-    fn parts(&self, report: &Report) -> Vec<PathBuf> {
-        (1..=report.parts.expect("split")).map(|number| self.file(number)).collect()
-    }
+fn file(folder: &Folder, number: u32) -> PathBuf {
+    RunPart::path(&folder.path().join("run.mcap"), number)
 }
 
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
+fn recorder(folder: &Folder, split: Split) -> Recorder {
+    let path = folder.path().join("run.mcap");
+    let file = move |number| create(&RunPart::path(&path, number), false);
+    let options = RecorderOptions { backpressure: Backpressure::Wait, ..small_chunks() };
+    Recorder::start_split(file, split, &header(ImagePolicy::All), options, |_| {}).expect("room")
+}
+
+/// Returns the paths of all parts.
+fn parts(folder: &Folder, report: &Report) -> Vec<PathBuf> {
+    (1..=report.parts.expect("split")).map(|number| file(folder, number)).collect()
 }
 
 const LIMITS: [(&str, Split); 2] = [("time", Split::Time(130_000_000)), ("size", Split::Size(20_000))];
@@ -54,13 +37,13 @@ fn joined_parts_are_the_whole_recording() {
     assert_eq!((whole.len(), error), (60, None));
     for (name, split) in LIMITS {
         let folder = Folder::new(&format!("joined-{name}"));
-        let report = run(folder.recorder(split), 0, 60);
-        let parts = folder.parts(&report);
-        assert!(parts.len() > 2 && !folder.file(parts.len() as u32 + 1).exists(), "{parts:?}");
+        let report = run(recorder(&folder, split), 0, 60);
+        let parts = parts(&folder, &report);
+        assert!(parts.len() > 2 && !file(&folder, parts.len() as u32 + 1).exists(), "{parts:?}");
         assert_eq!((report.cycles, report.reason, report.dropped_images), (60, None, 0));
         let length: u64 = parts.iter().map(|part| fs::metadata(part).expect("a file").len()).sum();
         assert_eq!(report.bytes, length);
-        let out = folder.0.join("whole.mcap");
+        let out = folder.path().join("whole.mcap");
         let any_order: Vec<_> = parts.iter().rev().cloned().collect();
         let parts = RunParts::open(&any_order).expect("all parts");
         parts.join(File::create(&out).expect("room"), None).expect("intact parts");
@@ -81,7 +64,7 @@ fn joined_parts_are_the_whole_recording() {
 fn part_is_complete_and_within_its_limit() {
     for (name, split) in LIMITS {
         let folder = Folder::new(&format!("complete-{name}"));
-        let parts = folder.parts(&run(folder.recorder(split), 0, 60));
+        let parts = parts(&folder, &run(recorder(&folder, split), 0, 60));
         let (mut next, mut run) = (0, None);
         for (path, number) in parts.iter().zip(1..) {
             let mut recording = Recording::open(path).expect("a recording");
@@ -106,19 +89,19 @@ fn part_is_complete_and_within_its_limit() {
 fn part_begins_with_the_parameters_in_force() {
     let folder = Folder::new("parameters");
     let request = [Setting::new(Cart::id::<Counter>(), 0, Value::F32(0.5))];
-    let report = run_with(folder.recorder(LIMITS[0].1), 0, 30, &request);
+    let report = run_with(recorder(&folder, LIMITS[0].1), 0, 30, &request);
     let gain = |path: &PathBuf| {
         let header = Recording::open(path).expect("a recording").header().clone();
         header.assignments().next().expect("a parameter")
     };
-    let gains: Vec<_> = folder.parts(&report).iter().map(gain).collect();
+    let gains: Vec<_> = parts(&folder, &report).iter().map(gain).collect();
     assert_eq!(gains, ["Counter.gain=1.0", "Counter.gain=0.5", "Counter.gain=0.5"]);
 }
 
 #[test]
 fn part_without_its_start_names_the_first_part() {
     let folder = Folder::new("second");
-    let parts = folder.parts(&run(folder.recorder(LIMITS[0].1), 0, 30));
+    let parts = parts(&folder, &run(recorder(&folder, LIMITS[0].1), 0, 30));
     let replayed = |path| replay(&ReplayOptions::whole(path), subject(None), |_| true);
     assert!(replayed(&parts[0]).is_ok_and(|report| report.equal && report.cycles == 13));
     let refused = replayed(&parts[1]).expect_err("its start is in another file");
@@ -129,9 +112,9 @@ fn part_without_its_start_names_the_first_part() {
 #[test]
 fn missing_doubled_and_foreign_parts_are_refused() {
     let (folder, other) = (Folder::new("refused"), Folder::new("refused-other"));
-    let one = folder.parts(&run(folder.recorder(LIMITS[0].1), 0, 40));
-    let two = other.parts(&run(other.recorder(LIMITS[0].1), 0, 40));
-    let whole = folder.0.join("whole.mcap");
+    let one = parts(&folder, &run(recorder(&folder, LIMITS[0].1), 0, 40));
+    let two = parts(&other, &run(recorder(&other, LIMITS[0].1), 0, 40));
+    let whole = folder.path().join("whole.mcap");
     fs::write(&whole, recorded(3)).expect("room");
     let refused = |parts: &[&PathBuf], words: &[&str]| {
         let parts: Vec<_> = parts.iter().copied().cloned().collect();
@@ -150,12 +133,12 @@ fn missing_doubled_and_foreign_parts_are_refused() {
 #[test]
 fn file_in_the_way_of_a_part_ends_the_recording() {
     let folder = Folder::new("in-the-way");
-    fs::write(folder.file(2), "precious").expect("room");
-    let report = run(folder.recorder(LIMITS[0].1), 0, 40);
+    fs::write(file(&folder, 2), "precious").expect("room");
+    let report = run(recorder(&folder, LIMITS[0].1), 0, 40);
     let reason = report.reason.expect("part 2 exists");
     assert!(reason.contains("part 2: ") && reason.contains("exists"), "{reason}");
-    assert_eq!((report.cycles, fs::read(folder.file(2)).expect("kept")), (13, b"precious".to_vec()));
-    let (found, error) = cycles(File::open(folder.file(1)).expect("a part"));
+    assert_eq!((report.cycles, fs::read(file(&folder, 2)).expect("kept")), (13, b"precious".to_vec()));
+    let (found, error) = cycles(File::open(file(&folder, 1)).expect("a part"));
     assert_eq!((found.len(), error), (13, None));
 }
 

@@ -4,8 +4,8 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use super::{Format, print, text_of};
-use crate::draw::{Diagram, dot, mermaid, svg};
+use super::{print, text_of};
+use crate::draw::{Diagram, Format, dot, mermaid, svg};
 use crate::files::Layout;
 use crate::model::{Component, Model};
 

@@ -14,9 +14,11 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use clap::{Subcommand, ValueEnum};
+use clap::Subcommand;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+
+use crate::draw::Format;
 
 pub use self::diff::unified;
 
@@ -132,19 +134,6 @@ pub enum Command {
         #[arg(long)]
         dry_run: bool,
     },
-}
-
-/// Format of a drawing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Format {
-    /// Vector graphics
-    Svg,
-    /// Picture
-    Png,
-    /// `stateDiagram-v2` of Mermaid
-    Mermaid,
-    /// `digraph` of Graphviz
-    Dot,
 }
 
 /// Runs a command, which prints to `out`; returns whether no mistake and no difference was found.

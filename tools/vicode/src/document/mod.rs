@@ -6,7 +6,7 @@ mod words;
 
 use std::sync::Arc;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use self::history::History;
 pub use self::merge::Conflict;
@@ -51,7 +51,8 @@ pub enum External {
 }
 
 /// Choice that ends a conflict.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Keep {
     /// Text of the document.
     Ours,

@@ -1,9 +1,8 @@
 //! Keyboard and mouse of a page, as a person uses them.
 
-use fantoccini::wd::WebDriverCompatibleCommand;
 use serde_json::{Value, json};
 
-use crate::page::Page;
+use crate::page::{Command, Page};
 
 /// Duration of a mouse press, and time between two steps of a drag, ms.
 const PRESS_MS: u64 = 100;
@@ -30,7 +29,7 @@ impl Page {
     }
 
     async fn act(&self, actions: Value) {
-        self.client.issue_cmd(Actions(actions)).await.expect("keys are pressed");
+        self.client.issue_cmd(Command("actions", json!({ "actions": actions }))).await.expect("keys are pressed");
     }
 
     /// Types a value into a field, which then has the focus, and presses Enter.
@@ -110,18 +109,4 @@ fn pause(ms: u64) -> Value {
 
 pub(crate) fn press() -> [Value; 3] {
     [button("pointerDown"), pause(PRESS_MS), button("pointerUp")]
-}
-
-/// The command Perform Actions.
-#[derive(Debug)]
-struct Actions(Value);
-
-impl WebDriverCompatibleCommand for Actions {
-    fn endpoint(&self, base: &url::Url, session: Option<&str>) -> Result<url::Url, url::ParseError> {
-        base.join(&format!("session/{}/actions", session.unwrap_or_default()))
-    }
-
-    fn method_and_body(&self, _: &url::Url) -> (http::Method, Option<String>) {
-        (http::Method::POST, Some(json!({ "actions": self.0 }).to_string()))
-    }
 }

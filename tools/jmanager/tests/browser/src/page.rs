@@ -37,33 +37,17 @@ const all = [...root.querySelectorAll(selector)].filter((one) => (one.getAttribu
 return all.find((one) => named(one) === name) ?? all.find((one) => named(one).startsWith(name)) ?? null;
 ";
 
-/// Log of the browser's console.
+/// A command of the driver that the client does not know: the end of its path, and its body.
 #[derive(Debug)]
-struct ConsoleLog;
+pub(crate) struct Command(pub(crate) &'static str, pub(crate) Value);
 
-impl WebDriverCompatibleCommand for ConsoleLog {
+impl WebDriverCompatibleCommand for Command {
     fn endpoint(&self, base: &url::Url, session: Option<&str>) -> Result<url::Url, url::ParseError> {
-        base.join(&format!("session/{}/se/log", session.unwrap_or_default()))
+        base.join(&format!("session/{}/{}", session.unwrap_or_default(), self.0))
     }
 
     fn method_and_body(&self, _: &url::Url) -> (http::Method, Option<String>) {
-        (http::Method::POST, Some(json!({ "type": "browser" }).to_string()))
-    }
-}
-
-/// Command that sets the size of the page, px, also to one that a window cannot have.
-#[derive(Debug)]
-struct Size(u32, u32);
-
-impl WebDriverCompatibleCommand for Size {
-    fn endpoint(&self, base: &url::Url, session: Option<&str>) -> Result<url::Url, url::ParseError> {
-        base.join(&format!("session/{}/goog/cdp/execute", session.unwrap_or_default()))
-    }
-
-    fn method_and_body(&self, _: &url::Url) -> (http::Method, Option<String>) {
-        let params = json!({ "width": self.0, "height": self.1, "deviceScaleFactor": 1, "mobile": false });
-        let body = json!({ "cmd": "Emulation.setDeviceMetricsOverride", "params": params });
-        (http::Method::POST, Some(body.to_string()))
+        (http::Method::POST, Some(self.1.to_string()))
     }
 }
 
@@ -146,7 +130,9 @@ impl Page {
 
     /// Shows the page in a size that a window may not have, such as that of a telephone; only in Chromium.
     pub async fn emulate(&self, (width, height): (u32, u32)) {
-        self.client.issue_cmd(Size(width, height)).await.expect("a size");
+        let params = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
+        let body = json!({ "cmd": "Emulation.setDeviceMetricsOverride", "params": params });
+        self.client.issue_cmd(Command("goog/cdp/execute", body)).await.expect("a size");
         self.until("the size", &format!("return innerWidth === {width}")).await;
         tokio::time::sleep(Duration::from_millis(400)).await;
     }
@@ -279,7 +265,7 @@ impl Page {
 
     /// Returns errors and warnings of the console, except those of a story that reads pixels back from the graphics card.
     pub async fn console(&self) -> Vec<String> {
-        let log = self.client.issue_cmd(ConsoleLog).await.unwrap_or(Value::Null);
+        let log = self.client.issue_cmd(Command("se/log", json!({ "type": "browser" }))).await.unwrap_or(Value::Null);
         let entries = log.as_array().cloned().unwrap_or_default();
         let bad = |entry: &&Value| matches!(entry["level"].as_str(), Some("SEVERE" | "WARNING"));
         let messages = entries.iter().filter(bad).map(|entry| entry["message"].to_string());

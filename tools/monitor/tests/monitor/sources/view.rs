@@ -10,7 +10,7 @@ use bica_monitor::protocol::{Request, SourceRequest};
 use bica_monitor::sessions::Options;
 use serde_json::{Value, json};
 
-use crate::page::{self, Bench, Folder, Got, Page};
+use crate::page::{self, Bench, Folder, Got, Page, answer};
 
 /// A file with a machine.
 pub(crate) const PLAYER: &str = "\
@@ -177,12 +177,7 @@ impl View {
 
     pub(crate) fn request(&self, request: Request) -> Result<Value, Value> {
         let id = self.page.send(request);
-        self.wait("answer", |message| {
-            (message["type"] == "answer" && message["id"] == id).then(|| match message.get("error") {
-                Some(error) => Err(error.clone()),
-                None => Ok(message.get("result").cloned().unwrap_or(Value::Null)),
-            })
-        })
+        self.wait("answer", |message| answer(message, id))
     }
 
     /// Applies edits by name.

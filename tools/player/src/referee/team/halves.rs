@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use bica::Tree;
-use bica_app::{Batch, Console, Failure, Outcome, Progress, in_force, interrupt, print_in_force};
+use bica_app::{Batch, Console, Failure, Outcome, Progress, in_force, print_in_force};
 use bica_player::referee::TeamForward;
 
 use super::figures::Figures;
@@ -29,5 +29,5 @@ pub(super) fn run(args: &Play, teams: [u8; 2], games: u32) -> Result<Outcome, Fa
     let figures = Figures::new(args.seed, playing, halves);
     figures.print(console)?;
     console.print_json(&figures)?;
-    Ok(if interrupt::requested() { Outcome::Interrupted } else { Outcome::Success })
+    Ok(Outcome::of(true))
 }

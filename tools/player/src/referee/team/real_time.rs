@@ -60,7 +60,7 @@ pub(super) fn run(args: &Play, teams: [u8; 2]) -> Result<Outcome, Failure> {
         }
     }
     report(console, &mut game, slow)?;
-    Ok(if interrupt::requested() { Outcome::Interrupted } else { Outcome::Success })
+    Ok(Outcome::of(true))
 }
 
 /// Prints an event of the match, and tells it to monitors.
