@@ -95,7 +95,7 @@ fn drawn(from: (f64, f64), to: (f64, f64)) -> Vec<Value> {
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a point of a window")]
-fn moved((x, y): (f64, f64)) -> Value {
+pub(crate) fn moved((x, y): (f64, f64)) -> Value {
     json!({ "type": "pointerMove", "duration": 0, "x": x.round() as i64, "y": y.round() as i64, "origin": "viewport" })
 }
 

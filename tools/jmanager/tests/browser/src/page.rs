@@ -1,22 +1,37 @@
 //! A page in a browser.
 
 use std::path::Path;
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
+use fantoccini::Client;
+use fantoccini::error::CmdError;
 use fantoccini::wd::{Capabilities, WebDriverCompatibleCommand};
-use fantoccini::{Client, ClientBuilder};
-use hyper_util::client::legacy::connect::HttpConnector;
 use serde_json::{Value, json};
 use tokio::time::sleep;
 
-use crate::driver::{Driver, STARTS, is_firefox};
+use crate::driver::{Driver, is_firefox};
 use crate::element::Element;
 use crate::folder::target;
+use crate::input::moved;
 use crate::server::Server;
 
 /// Time limit of a condition, for a busy machine.
 pub(crate) const LIMIT: Duration = Duration::from_secs(90);
-const POLL: Duration = Duration::from_millis(100);
+const POLL: Duration = Duration::from_millis(50);
+/// Time limit of faults of a page whose layout has just changed, for a busy machine.
+const SETTLES: Duration = Duration::from_secs(10);
+
+/// Waits until the rectangles of all panels were constant for ten frames, at most 300 frames.
+const RESTS: &str = r"
+const places = () => String([...document.querySelectorAll('.panel')].map((one) => Object.values(one.getBoundingClientRect().toJSON())));
+const look = (before, same, frames) => new Promise(requestAnimationFrame).then(() => {
+  const now = places();
+  const still = now === before ? same + 1 : 0;
+  return still >= 10 || frames > 300 || look(now, still, frames + 1);
+});
+return look(places(), 0, 0);
+";
 
 /// Finds elements by role and name, as a screen reader would.
 const FIND: &str = r"
@@ -51,11 +66,17 @@ impl WebDriverCompatibleCommand for Command {
     }
 }
 
+/// Browsers of pages that were closed. The next page has one of them: a new browser takes twice the processor time of a page until its
+/// code is compiled.
+static IDLE: Mutex<Vec<(Client, Driver)>> = Mutex::new(Vec::new());
+
 /// A browser with the page of a server.
 pub struct Page {
     pub(crate) client: Client,
     // Ends the browser when the page is dropped.
-    _driver: Driver,
+    driver: Driver,
+    /// Whether another page may have the browser.
+    is_usual: bool,
 }
 
 impl Page {
@@ -66,8 +87,21 @@ impl Page {
 
     /// Opens a URL with more arguments of the browser.
     pub async fn open_with(url: &str, (width, height): (u32, u32), arguments: &[&str]) -> Self {
+        // Firefox has no command that clears its storage.
+        let is_usual = arguments.is_empty() && !is_firefox();
+        let idle = is_usual.then(|| IDLE.lock().expect("no panic before").pop()).flatten();
+        let (client, driver) = match idle {
+            Some(idle) => idle,
+            None => Self::start(arguments).await,
+        };
+        client.set_window_size(width, height).await.expect("a window");
+        client.goto(url).await.expect("the page");
+        Self { client, driver, is_usual }
+    }
+
+    /// Starts a browser.
+    async fn start(arguments: &[&str]) -> (Client, Driver) {
         let driver = Driver::start();
-        let size = format!("--window-size={width},{height}");
         // The last argument: WebGL by the processor if there is no graphics card.
         let fixed = [
             "--headless=new",
@@ -75,7 +109,6 @@ impl Page {
             "--disable-dev-shm-usage",
             "--hide-scrollbars",
             "--no-first-run",
-            &size,
             "--enable-unsafe-swiftshader",
         ];
         let arguments: Vec<_> = fixed.iter().chain(arguments).collect();
@@ -88,19 +121,7 @@ impl Page {
             capabilities.insert("goog:chromeOptions".to_owned(), json!({ "args": arguments }));
             capabilities.insert("goog:loggingPrefs".to_owned(), json!({ "browser": "ALL" }));
         }
-        let mut builder = ClientBuilder::new(HttpConnector::new());
-        builder.capabilities(capabilities);
-        let mut client = builder.connect(&driver.url).await;
-        // A browser sometimes ends while it starts, before it has a page.
-        for _ in 1..STARTS {
-            let Err(error) = &client else { break };
-            eprintln!("the browser is started again: {error}");
-            client = builder.connect(&driver.url).await;
-        }
-        let client = client.expect("a browser");
-        client.set_window_size(width, height).await.expect("a window");
-        client.goto(url).await.expect("the page");
-        Self { client, _driver: driver }
+        (driver.browser(capabilities).await, driver)
     }
 
     /// Runs a script.
@@ -130,11 +151,25 @@ impl Page {
 
     /// Shows the page in a size that a window may not have, such as that of a telephone; only in Chromium.
     pub async fn emulate(&self, (width, height): (u32, u32)) {
-        let params = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
-        let body = json!({ "cmd": "Emulation.setDeviceMetricsOverride", "params": params });
-        self.client.issue_cmd(Command("goog/cdp/execute", body)).await.expect("a size");
+        let size = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
+        self.command("Emulation.setDeviceMetricsOverride", size).await.expect("a size");
         self.until("the size", &format!("return innerWidth === {width}")).await;
-        tokio::time::sleep(Duration::from_millis(400)).await;
+        self.rests().await;
+    }
+
+    /// Waits until no panel moves.
+    pub async fn rests(&self) {
+        self.run(RESTS).await;
+    }
+
+    /// Asserts that the list of faults which a script returns is empty, soon after a change.
+    pub async fn finds_none(&self, script: &str, what: &str) {
+        let (start, mut faults) = (Instant::now(), self.run(script).await);
+        while faults != json!([]) && start.elapsed() < SETTLES {
+            sleep(POLL).await;
+            faults = self.run(script).await;
+        }
+        assert_eq!(faults, json!([]), "{what}");
     }
 
     /// Goes to another address.
@@ -263,9 +298,19 @@ impl Page {
         }
     }
 
+    /// Runs a command of Chromium's protocol for developers.
+    async fn command(&self, name: &str, parameters: Value) -> Result<Value, CmdError> {
+        self.client.issue_cmd(Command("goog/cdp/execute", json!({ "cmd": name, "params": parameters }))).await
+    }
+
+    /// Returns the messages of the console since the last call.
+    async fn log(&self) -> Result<Value, CmdError> {
+        self.client.issue_cmd(Command("se/log", json!({ "type": "browser" }))).await
+    }
+
     /// Returns errors and warnings of the console, except those of a story that reads pixels back from the graphics card.
     pub async fn console(&self) -> Vec<String> {
-        let log = self.client.issue_cmd(Command("se/log", json!({ "type": "browser" }))).await.unwrap_or(Value::Null);
+        let log = self.log().await.unwrap_or(Value::Null);
         let entries = log.as_array().cloned().unwrap_or_default();
         let bad = |entry: &&Value| matches!(entry["level"].as_str(), Some("SEVERE" | "WARNING"));
         let messages = entries.iter().filter(bad).map(|entry| entry["message"].to_string());
@@ -289,10 +334,26 @@ impl Page {
         String::from_utf8_lossy(&listed.stdout).lines().filter_map(|line| line.parse().ok()).collect()
     }
 
-    /// Checks that the console has no error, and closes the browser.
+    /// Checks that the console has no error, and closes the page.
     pub async fn close(self) {
         let errors = self.console().await;
         assert!(errors.is_empty(), "the console has errors: {errors:#?}");
-        let _ = self.client.close().await;
+        if !self.is_usual {
+            let _ = self.client.close().await;
+        } else if self.clear().await.is_ok() {
+            IDLE.lock().expect("no panic before").push((self.client, self.driver));
+        }
+    }
+
+    /// Leaves nothing of the page in the browser: cookies, storage, size, position of the mouse, messages of the console.
+    async fn clear(&self) -> Result<(), CmdError> {
+        let origin = self.run("return location.origin").await;
+        self.client.goto("about:blank").await?;
+        self.client.release_actions().await?;
+        let all = json!({ "origin": origin, "storageTypes": "all" });
+        self.command("Storage.clearDataForOrigin", all).await?;
+        self.command("Emulation.clearDeviceMetricsOverride", json!({})).await?;
+        self.mouse(&[moved((0.0, 0.0))]).await;
+        self.log().await.map(drop)
     }
 }

@@ -45,6 +45,19 @@ async fn a_foreign_name_of_this_computer_shows_nothing() {
     page.reads("not known under that name").await;
 }
 
+/// Stories have the same browser one after the other.
+#[tokio::test]
+async fn a_closed_page_leaves_nothing_to_the_next_one() {
+    let server = Server::start("closed", &["--token-file", "token"]);
+    let page = Page::open(&server, WIDE).await;
+    page.find("button", "View", "").await;
+    let own = page.run("localStorage.mark = 1; return location.origin").await;
+    page.close().await;
+    let next = Page::open_with(own.as_str().expect("an origin"), WIDE, &[]).await;
+    next.find("textbox", "token", "").await;
+    assert_eq!(next.run("return localStorage.mark ?? null").await, json!(null));
+}
+
 /// Attacks 1, 3, 5 and 6: a page of another port of this computer.
 #[tokio::test]
 async fn page_of_another_port_is_powerless() {

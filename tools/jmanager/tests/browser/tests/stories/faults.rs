@@ -5,7 +5,8 @@ use std::time::Instant;
 
 use jmanager_browser::{Page, Robot, Server};
 
-use crate::{WIDE, component, open};
+use crate::going::watcher;
+use crate::{GOES_ON, NEVER, WIDE, component, open};
 
 #[tokio::test]
 async fn the_page_says_that_the_program_is_gone() {
@@ -23,14 +24,9 @@ async fn the_page_says_that_the_program_is_gone() {
 async fn control_ends_when_the_browser_freezes() {
     let server = Server::start("frozen", &["--token-file", "token"]);
     let page = open(&server).await;
-    let token = std::fs::read_to_string(server.folder.path("token")).expect("the token file");
-    let own = page.run("return location.origin").await.as_str().expect("an origin").to_owned();
-    let watcher = Page::open_with(&own, WIDE, &[]).await;
-    watcher.find("textbox", "token", "").await.set(token.trim()).await;
-    watcher.click("button", "Enter", "").await;
+    page.run(GOES_ON).await;
+    let watcher = watcher(&server, &page).await;
     watcher.find("button", "View", "").await;
-    // A game that has ended meanwhile executes no requests.
-    page.click("button", "Restart", "").await;
     page.click("tab", "Drive", "").await;
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;
@@ -56,7 +52,8 @@ async fn control_ends_when_the_browser_freezes() {
 /// Attack 9: requests from before the loss of a connection are not in force after it.
 #[tokio::test]
 async fn restarted_robot_is_shown_and_free() {
-    let mut robot = Robot::start(&["--seconds", "600"]);
+    let long = [&["--seconds", "600"], &NEVER[..]].concat();
+    let mut robot = Robot::start(&long);
     let server = Server::start("robot", &[&format!("tcp://{}", robot.address)]);
     let page = Page::open(&server, WIDE).await;
     page.click("button", "Player", "Activation tree").await;
@@ -66,7 +63,7 @@ async fn restarted_robot_is_shown_and_free() {
     robot.kill();
     page.reads("the connection is lost and is being restored").await;
     page.screenshot("robot-lost").await;
-    let _again = Robot::start_at(&robot.address, &["--seconds", "600"]);
+    let _again = Robot::start_at(&robot.address, &long);
     page.reads_no("the connection is lost").await;
     component(&page, "Player", "active").await;
     page.reads("operator: nobody").await;

@@ -7,7 +7,7 @@ use jmanager_browser::{Page, Robot, Server, processor_seconds, restrict_to};
 use serde_json::Value;
 use tokio::time::sleep;
 
-use crate::{WIDE, game, open, tab};
+use crate::{NEVER, WIDE, game, open, tab};
 
 /// Records the time of each frame that the page draws from now on, in `window.times_`.
 const COUNT_FRAMES: &str = "window.times_ = []; const note = (now) => { window.times_.push(now); \
@@ -72,9 +72,6 @@ const OPEN_LONG: &str = r"
   window.read_ = performance.now() - begin;
 })();
 ";
-
-/// Settings of a forward that never sees the ball, and so plays until the time limit.
-const NEVER: [&str; 2] = ["--set", "Colours.orange_luma_min=230"];
 
 fn wanted() -> bool {
     let wanted = std::env::var_os("JMANAGER_FIGURES").is_some();

@@ -179,22 +179,19 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
         let open =
             "const [file, key] = arguments[0]; return import('/vicode/sources.js').then(({ open }) => open(file, key))";
         page.run_with(open, vec![one.clone()]).await;
-        let mut found = Value::Null;
-        let shown = "return [document.querySelector('.bar .file')?.title, \
-            document.querySelector('svg.machine')?.ariaLabel?.replace('States of ', '')]";
-        // A busy machine takes some time to open a file, and to choose how much is shown.
-        for _ in 0..20 {
-            tokio::time::sleep(std::time::Duration::from_millis(300)).await;
-            let [root, boxes, lines, names] = MACHINE;
-            found = faults(&page, root, boxes, lines, names).await;
-            if found == json!([]) && page.run(shown).await == *one {
-                break;
-            }
-        }
+        let shown = format!(
+            "return String([document.querySelector('.bar .file')?.title, \
+            document.querySelector('svg.machine')?.ariaLabel?.replace('States of ', '')]) === String({one})"
+        );
+        page.until(&format!("the machine {one}"), &shown).await;
+        // How much is shown is chosen after that.
+        page.rests().await;
+        let [root, boxes, lines, names] = MACHINE;
+        let found = faults(&page, root, boxes, lines, names).await;
         if found != json!([]) {
             page.screenshot("geometry").await;
         }
-        assert_eq!((found, page.run(shown).await), (json!([]), one.clone()));
+        assert_eq!(found, json!([]), "{one}");
     }
     page.close().await;
 }

@@ -14,7 +14,7 @@ pub(crate) async fn show_in(page: &Page, (width, height): (u32, u32)) {
     let inner = page.run("return [innerWidth, innerHeight]").await;
     let side = |at: usize| inner[at].as_u64().and_then(|side| u32::try_from(side).ok()).expect("a size");
     page.resize((2 * width - side(0), 2 * height - side(1))).await;
-    tokio::time::sleep(std::time::Duration::from_millis(500)).await;
+    page.rests().await;
 }
 
 #[tokio::test]
@@ -25,14 +25,12 @@ async fn tree_fits_a_small_window_without_crossings() {
     for size in [SMALL, (1600, 1000)] {
         show_in(&page, size).await;
         assert_eq!(faults(&page, "svg.tree", ".frame", ".link", ".no-names").await, json!([]), "{size:?}");
-        let filled = "const tree = document.querySelector('svg.tree').getBoundingClientRect(); \
+        let filled = "const tree = document.querySelector('svg.tree')?.getBoundingClientRect(); if (!tree) return false; \
             const boxes = [...document.querySelectorAll('.frame')].map((one) => one.getBoundingClientRect()); \
             return [(Math.max(...boxes.map((one) => one.right)) - Math.min(...boxes.map((one) => one.left))) / tree.width, \
-                (Math.max(...boxes.map((one) => one.bottom)) - Math.min(...boxes.map((one) => one.top))) / tree.height]";
-        let filled = page.run(filled).await;
-        for share in filled.as_array().expect("two shares") {
-            assert!(share.as_f64().expect("a share") > 0.8, "the tree fills {filled} of its panel");
-        }
+                (Math.max(...boxes.map((one) => one.bottom)) - Math.min(...boxes.map((one) => one.top))) / tree.height] \
+                .every((share) => share > 0.8)";
+        page.until("the tree fills four fifths of its panel", filled).await;
         let header = page.run("return document.querySelector('header.top').offsetHeight").await;
         assert!(header.as_f64().is_some_and(|height| height < 50.0), "the header has one line: {header} px");
     }

@@ -9,13 +9,12 @@ const BOX: &str = "State to which Player goes";
 const PLAYER: &str = "[aria-label=Player][role=button]";
 
 /// Opens another page, which only watches.
-async fn watcher(server: &Server, page: &Page) -> Page {
+pub(crate) async fn watcher(server: &Server, page: &Page) -> Page {
     let token = std::fs::read_to_string(server.folder.path("token")).expect("the token file");
     let own = page.run("return location.origin").await.as_str().expect("an origin").to_owned();
     let watcher = Page::open_with(&own, WIDE, &[]).await;
     watcher.find("textbox", "token", "").await.set(token.trim()).await;
     watcher.click("button", "Enter", "").await;
-    watcher.click("button", "Player", "Activation tree").await;
     watcher
 }
 
@@ -43,6 +42,7 @@ async fn a_machine_goes_to_the_chosen_state() {
     }
 
     let other = watcher(&server, &page).await;
+    other.click("button", "Player", "Activation tree").await;
     other.find("combobox", BOX, "By hand").await.set("6").await;
     other.reads("somebody else operates this robot").await;
     let before = page.run("return document.querySelector('.clock b').textContent").await;

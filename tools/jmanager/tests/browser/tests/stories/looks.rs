@@ -54,10 +54,9 @@ async fn the_page_looks_right_in_four_sizes_and_both_themes() {
             for (key, name) in (1..).zip(["overview", "behaviour", "colours", "driving", "replay", "designer"]) {
                 shown.press(&key.to_string()).await;
                 shown.counts(".panel", "> 1").await;
-                tokio::time::sleep(std::time::Duration::from_millis(300)).await;
+                shown.rests().await;
                 shown.screenshot(&format!("{theme}-{width}-{name}")).await;
-                let faults = shown.run(FAULTS).await;
-                assert_eq!(faults, json!([]), "{theme} {width} {name}");
+                shown.finds_none(FAULTS, &format!("{theme} {width} {name}")).await;
             }
         }
         page = Some(shown);
@@ -96,9 +95,9 @@ async fn each_panel_looks_right() {
                 }
                 let open = "return import('/lib/dock.js').then(({ preset, open }) => { preset(arguments[1]); open(arguments[0], {}); })";
                 page.run_with(open, vec![json!(name), json!(layout)]).await;
-                tokio::time::sleep(std::time::Duration::from_millis(700)).await;
+                page.rests().await;
                 page.screenshot(&format!("panel-{name}-{}-{theme}", size.0)).await;
-                assert_eq!(page.run(FAULTS).await, json!([]), "{name} {size:?} {theme}");
+                page.finds_none(FAULTS, &format!("{name} {size:?} {theme}")).await;
             }
         }
     }
@@ -139,9 +138,9 @@ async fn in_both(page: &Page, name: &str) {
         show_in(page, size).await;
         for theme in ["dark", "light"] {
             set_theme(page, theme).await;
-            tokio::time::sleep(std::time::Duration::from_millis(700)).await;
+            page.rests().await;
             page.screenshot(&format!("other-{name}-{}-{theme}", size.0)).await;
-            assert_eq!(page.run(FAULTS).await, json!([]), "{name} {size:?} {theme}");
+            page.finds_none(FAULTS, &format!("{name} {size:?} {theme}")).await;
         }
     }
 }

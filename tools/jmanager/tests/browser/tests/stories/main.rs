@@ -37,6 +37,8 @@ mod watching;
 use jmanager_browser::{Page, Server};
 
 const WIDE: (u32, u32) = (1600, 940);
+/// Settings of a forward that never sees the ball, and so plays until the time limit.
+const NEVER: [&str; 2] = ["--set", "Colours.orange_luma_min=230"];
 /// Continues the world when its game is over. A paused world executes requests in its next cycle, and a busy machine takes longer for a
 /// story than the forward for a goal.
 const GOES_ON: &str = "setInterval(() => { const over = document.querySelector('.banner')?.textContent.includes('game is over'); \

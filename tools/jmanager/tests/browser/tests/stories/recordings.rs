@@ -2,7 +2,7 @@
 
 use jmanager_browser::{Page, Robot, Server};
 
-use crate::{WIDE, open, tab};
+use crate::{NEVER, WIDE, open, tab};
 
 /// A recording is run again with another gain, and compared with the original.
 #[tokio::test]
@@ -30,7 +30,7 @@ async fn recording_is_run_again_and_compared() {
 /// The data that a robot behind a link has sent can be viewed; no button offers to run it again.
 #[tokio::test]
 async fn a_robot_is_kept_and_opened_and_cannot_be_run_again() {
-    let robot = Robot::start(&["--seconds", "600"]);
+    let robot = Robot::start(&[&["--seconds", "600"], &NEVER[..]].concat());
     let server = Server::start("kept-robot", &[&format!("tcp://{}", robot.address), "--record", "all.mcap"]);
     let page = Page::open(&server, WIDE).await;
     page.find("button", "FaceBall", "Activation tree").await;

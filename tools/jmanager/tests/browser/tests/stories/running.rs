@@ -11,7 +11,9 @@ use jmanager_browser::{Page, Server, repository, target};
 const WIDE: (u32, u32) = (1440, 900);
 /// Time limit of a build of the program from scratch, on a busy machine.
 const BUILD: Duration = Duration::from_mins(25);
-const RUN: &str = "-p goalkeeper --bin goalkeeper -- run --serve {address} --seed {seed}";
+// Hardly optimised, because the build takes most of the time of the story.
+const RUN: &str = "-p goalkeeper --bin goalkeeper --config profile.release.opt-level=1 \
+    -- run --serve {address} --seed {seed}";
 const LIT: &str = "return document.querySelector('.box.lit')?.getAttribute('aria-label') ?? null";
 
 /// A copy of all files of the repository.

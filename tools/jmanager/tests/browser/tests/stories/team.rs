@@ -3,7 +3,6 @@
 use std::net::TcpListener;
 
 use jmanager_browser::{Folder, Page, Referee, Robot, Server, player};
-use serde_json::json;
 
 use crate::access::set_theme;
 use crate::glance::{SMALL, show_in};
@@ -62,9 +61,9 @@ async fn looks(page: &Page, layout: &str, panel: &str) {
             let preset = format!("return import('/lib/dock.js').then(({{ preset }}) => {{ preset('{layout}'); }})");
             page.run(&preset).await;
             page.find("tab", panel, "").await;
-            tokio::time::sleep(std::time::Duration::from_secs(1)).await;
+            page.rests().await;
             page.screenshot(&format!("{theme}-{}-{layout}", size.0)).await;
-            assert_eq!(page.run(FAULTS).await, json!([]), "{theme} {size:?}");
+            page.finds_none(FAULTS, &format!("{theme} {size:?}")).await;
         }
     }
 }
