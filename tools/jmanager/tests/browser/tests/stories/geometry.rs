@@ -11,6 +11,7 @@ use crate::open_in;
 const FAULTS: &str = r"
 const [root, boxes, lines, names] = arguments;
 const svg = document.querySelector(root);
+if (!svg) return ['nothing is drawn'];
 const faults = [];
 const shown = (selector) => [...svg.querySelectorAll(selector)].filter((one) => one.getClientRects().length > 0);
 const placed = (selector) => shown(selector).map((one) => ({ name: one.parentElement.ariaLabel ?? one.parentElement.textContent,
@@ -144,13 +145,15 @@ pub(crate) fn large(states: usize, transitions: usize) -> String {
 /// Returns the faults of a drawing on the page. A drawing that the server has not laid out yet has three seconds until it has none.
 pub(crate) async fn faults(page: &Page, root: &str, boxes: &str, lines: &str, names: &str) -> Value {
     let find = || page.run_with(FAULTS, vec![json!(root), json!(boxes), json!(lines), json!(names)]);
+    let mut found = find().await;
     for _ in 0..20 {
-        if find().await == json!([]) {
+        if found == json!([]) {
             break;
         }
         tokio::time::sleep(std::time::Duration::from_millis(150)).await;
+        found = find().await;
     }
-    find().await
+    found
 }
 
 #[tokio::test]
