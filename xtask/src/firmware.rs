@@ -42,7 +42,9 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
             .try_for_each(|image| self_test(image, FIGURES, &["--size"]));
     }
     if options.bless {
-        return IMAGES.into_iter().try_for_each(|(image, figures)| self_test(image, figures, &["--bless"]));
+        IMAGES.into_iter().try_for_each(|(image, figures)| self_test(image, figures, &["--bless"]))?;
+        // Its limits are separate.
+        return self_test(MONITOR_IMAGE, FIGURES, &["--monitors"]);
     }
     lint(&rust)?;
     for features in ["monitor,medium-frames", ""] {

@@ -219,9 +219,10 @@ fn take_ours(component: &mut Component, function: &mut block::Function, report: 
 }
 
 fn sort(component: &mut Component, function: &mut block::Function, mut roles: Vec<Attribute>, report: &mut Report) {
-    if roles.iter().all(|one| matches!(roles::role(one), Some("state" | "transition"))) {
-        roles.sort_by_key(|one| roles::role(one) != Some("state"));
-    }
+    // Of several roles the one that fits the signature is read: the others are one mistake, not one for each of their rules.
+    let is_condition =
+        signature::is_condition(&function.signature) && !roles.iter().any(|one| roles::role(one) == Some("state"));
+    roles.sort_by_key(|one| (roles::role(one) == Some("transition")) != is_condition);
     let Some(first) = roles.first() else {
         if text::name(&function.signature.ident) == "step" {
             component.step = Some(called(component, function, Form::Step, report));

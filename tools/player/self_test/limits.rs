@@ -12,8 +12,9 @@ const KIB: u64 = 1024;
 /// a value need 7 KiB: they contain the legs and arms of every humanoid, and the numbers of the robot are read, not folded.
 const FLASH: u64 = 212 * KIB;
 /// Limit of flash with the server for monitors and parameters that can be changed, bytes. The search of the whole field, the stop and the
-/// turn of the legs need 2.4 KiB of it, and what descriptions say of modulations that drive 0.2 KiB.
-const FLASH_WITH_MONITORS: u64 = 277 * KIB;
+/// turn of the legs need 2.4 KiB of it, what descriptions say of modulations that drive 0.2 KiB, and rules of faults that differ between
+/// robots 0.1 KiB.
+const FLASH_WITH_MONITORS: u64 = 278 * KIB;
 /// Limit of the static memory, bytes.
 const MEMORY: u64 = 256 * KIB;
 /// Limit of the static memory without the memory for camera images, bytes.

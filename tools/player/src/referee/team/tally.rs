@@ -3,6 +3,8 @@
 use bica::Tree;
 use bica_motion::health::Fault;
 use bica_player::input::HealthMonitor;
+use bica_player::referee::GameController;
+use bica_player::referee::packet::Penalty;
 use bica_player::team::{Role, Roles};
 use bica_sim::match_field::MatchField;
 use bica_sim::referee::{Event, Referee};
@@ -37,9 +39,11 @@ pub(super) struct Tally {
     /// Messages, those of the states ready and set included.
     pub(super) messages: [u32; 2],
     pub(super) penalties: [u32; 2],
-    /// Cycles with exactly one striker.
+    /// Cycles in which a player without a penalty is on the field: the others have no striker.
+    pub(super) staffed: [u64; 2],
+    /// Those of them with exactly one striker.
     pub(super) one_striker: [u64; 2],
-    /// Longest time with several strikers or none, cycles.
+    /// Longest time with several strikers or none, without the cycles with nobody on the field, cycles.
     pub(super) longest_other: [u64; 2],
     #[serde(skip)]
     other: [u64; 2],
@@ -74,11 +78,21 @@ impl Tally {
         self.count_faults(teams.players.iter().map(|player| fault(player).is_some()));
         for (team, players) in teams.players.chunks(self.players).enumerate() {
             let is_striker = |player: &&_| role(player) == Role::Striker;
-            let is_one = players.iter().filter(is_striker).count() == 1;
-            self.one_striker[team] += u64::from(is_one);
-            self.other[team] = if is_one { 0 } else { self.other[team] + 1 };
-            self.longest_other[team] = self.longest_other[team].max(self.other[team]);
+            let strikers = players.iter().filter(is_striker).count();
+            self.count_strikers(team, strikers, players.iter().any(has_no_penalty));
         }
+    }
+
+    /// Counts the strikers of a team in one cycle.
+    fn count_strikers(&mut self, team: usize, strikers: usize, is_staffed: bool) {
+        if !is_staffed {
+            return;
+        }
+        let is_one = strikers == 1;
+        self.staffed[team] += 1;
+        self.one_striker[team] += u64::from(is_one);
+        self.other[team] = if is_one { 0 } else { self.other[team] + 1 };
+        self.longest_other[team] = self.longest_other[team].max(self.other[team]);
     }
 
     /// Counts the faults that begin, by whether each robot names one.
@@ -128,14 +142,15 @@ impl Tally {
             self.collisions_away[team] += other.collisions_away[team];
             self.messages[team] += other.messages[team];
             self.penalties[team] += other.penalties[team];
+            self.staffed[team] += other.staffed[team];
             self.one_striker[team] += other.one_striker[team];
             self.longest_other[team] = self.longest_other[team].max(other.longest_other[team]);
         }
     }
 
-    /// Share of the time with exactly one striker in a team.
+    /// Share of the time with a player on the field in which a team has exactly one striker.
     pub(super) fn striker_share(&self, team: usize) -> f64 {
-        self.one_striker[team] as f64 / self.cycles.max(1) as f64
+        self.one_striker[team] as f64 / self.staffed[team].max(1) as f64
     }
 
     /// A number for each minute of each robot of a team.
@@ -154,6 +169,10 @@ fn is_away(truth: &Referee) -> bool {
 fn fault(player: &super::player::Player<Radio>) -> Option<Fault> {
     let health = player.forward().get::<HealthMonitor>();
     health.fault().or(health.sense_fault())
+}
+
+fn has_no_penalty(player: &super::player::Player<Radio>) -> bool {
+    player.forward().get::<GameController>().penalty() == Penalty::None
 }
 
 fn role(player: &super::player::Player<Radio>) -> Role {
@@ -194,8 +213,18 @@ mod tests {
     }
 
     #[test]
+    fn team_without_a_player_on_the_field_needs_no_striker() {
+        let mut half = Tally::new(2, 4);
+        for (strikers, is_staffed) in [(1, true), (0, true), (0, false), (0, false), (2, true), (1, true)] {
+            half.count_strikers(0, strikers, is_staffed);
+        }
+        assert_eq!((half.longest_other[0], half.striker_share(0)), (2, 0.5));
+    }
+
+    #[test]
     fn rates_are_those_of_all_halves() {
-        let half = Tally { cycles: 6000, one_striker: [3000, 6000], falls: [1, 3], ..Tally::new(3, 6) };
+        let one_striker = [3000, 6000];
+        let half = Tally { cycles: 6000, staffed: [6000; 2], one_striker, falls: [1, 3], ..Tally::new(3, 6) };
         let mut all = Tally::default();
         (0..2).for_each(|_| all.add(&half));
         assert_eq!((all.striker_share(0), all.striker_share(1)), (0.5, 1.0));
