@@ -1,7 +1,7 @@
 //! Synthetic frames.
 
 use bica_vision::frame::{Frame, Pixel};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 pub(crate) const CARPET: Pixel = Pixel::new(85, 115, 114);
 pub(crate) const WALL: Pixel = Pixel::new(170, 125, 131);
@@ -16,7 +16,8 @@ pub(crate) const BLUE: Pixel = Pixel::new(95, 150, 106);
 pub(crate) struct Canvas {
     width: u16,
     height: u16,
-    pixels: Vec<[f32; 3]>,
+    /// Luma, Cb and Cr.
+    pixels: Vec<Vec3>,
 }
 
 impl Canvas {
@@ -30,29 +31,40 @@ impl Canvas {
 
     /// Paints the points at which `inside`, the signed distance to the edge, px, is positive.
     pub(crate) fn paint(&mut self, colour: Pixel, inside: impl Fn(Vec2) -> f32) {
-        let width = usize::from(self.width);
-        for (index, pixel) in self.pixels.iter_mut().enumerate() {
-            let at = Vec2::new((index % width) as f32, (index / width) as f32);
-            let cover = (inside(at) + 0.5).clamp(0.0, 1.0);
-            for (part, new) in pixel.iter_mut().zip(parts(colour)) {
-                *part += cover * (new - *part);
-            }
-        }
+        self.paint_between(colour, Vec2::ZERO, Vec2::new(self.width.into(), self.height.into()), inside);
     }
 
     pub(crate) fn disc(&mut self, colour: Pixel, centre: Vec2, radius: f32) {
-        self.paint(colour, |at| radius - at.distance(centre));
+        self.paint_between(colour, centre - radius, centre + radius, |at| radius - at.distance(centre));
     }
 
     /// Paints a straight bar between two points.
     pub(crate) fn bar(&mut self, colour: Pixel, from: Vec2, to: Vec2, width: f32) {
         let along = to - from;
-        self.paint(colour, |at| {
+        let (first, last) = (from.min(to) - 0.5 * width, from.max(to) + 0.5 * width);
+        self.paint_between(colour, first, last, |at| {
             let part = ((at - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
             let beyond = (at - from).dot(along) / along.length();
             let side = 0.5 * width - at.distance(from + part * along);
             side.min(beyond).min(along.length() - beyond)
         });
+    }
+
+    /// Paints as [`Self::paint`] a shape that lies between two corners of the image.
+    fn paint_between(&mut self, colour: Pixel, first: Vec2, last: Vec2, inside: impl Fn(Vec2) -> f32) {
+        let (new, width) = (parts(colour), usize::from(self.width));
+        // The edge is blurred by half a pixel.
+        let range = |first: f32, last: f32, end: u16| {
+            (first - 1.0).max(0.0) as usize..((last + 2.0).max(0.0) as usize).min(end.into())
+        };
+        let columns = range(first.x, last.x, self.width);
+        for row in range(first.y, last.y, self.height) {
+            for column in columns.clone() {
+                let cover = (inside(Vec2::new(column as f32, row as f32)) + 0.5).clamp(0.0, 1.0);
+                let pixel = &mut self.pixels[row * width + column];
+                *pixel += cover * (new - *pixel);
+            }
+        }
     }
 
     /// Bytes of the frame; each pair has the mean chroma of its pixels.
@@ -61,11 +73,13 @@ impl Canvas {
             let noise = (index * 7919 % 7) as f32 - 3.0;
             (value + noise).round().clamp(0.0, 255.0) as u8
         };
-        let pair = |(index, [a, b]): (usize, &[[f32; 3]; 2])| {
-            let values = [a[0], 0.5 * (a[1] + b[1]), b[0], 0.5 * (a[2] + b[2])];
-            [0, 1, 2, 3].map(|part| byte(values[part], 4 * index + part))
-        };
-        self.pixels.as_chunks::<2>().0.iter().enumerate().flat_map(pair).collect()
+        let mut bytes = Vec::with_capacity(2 * self.pixels.len());
+        for [a, b] in self.pixels.as_chunks().0 {
+            for value in [a.x, 0.5 * (a.y + b.y), b.x, 0.5 * (a.z + b.z)] {
+                bytes.push(byte(value, bytes.len()));
+            }
+        }
+        bytes
     }
 
     /// Calls a function with the frame.
@@ -74,6 +88,6 @@ impl Canvas {
     }
 }
 
-fn parts(pixel: Pixel) -> [f32; 3] {
-    [pixel.y, pixel.cb, pixel.cr].map(f32::from)
+fn parts(pixel: Pixel) -> Vec3 {
+    Vec3::new(pixel.y.into(), pixel.cb.into(), pixel.cr.into())
 }

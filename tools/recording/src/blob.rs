@@ -3,7 +3,7 @@
 use bica::{Blob, Format};
 use bica_wire::blobs;
 use postcard_schema::Schema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::image_codec::ImageCoder;
 use crate::mcap::Compression;
@@ -34,7 +34,13 @@ pub struct BlobRecord<'a> {
     /// Coding of the stored bytes.
     pub coding: Coding,
     /// The stored bytes.
+    #[serde(serialize_with = "as_bytes")]
     pub stored: &'a [u8],
+}
+
+/// Serde's slices are sequences, of which each byte would be written alone.
+fn as_bytes<S: Serializer>(bytes: &[u8], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_bytes(bytes)
 }
 
 /// Large data in memory of its own.

@@ -213,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn team_without_a_player_on_the_field_needs_no_striker() {
+    fn team_off_the_field_needs_no_striker() {
         let mut half = Tally::new(2, 4);
         for (strikers, is_staffed) in [(1, true), (0, true), (0, false), (0, false), (2, true), (1, true)] {
             half.count_strikers(0, strikers, is_staffed);

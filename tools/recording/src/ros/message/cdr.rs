@@ -38,8 +38,23 @@ macro_rules! numbers {
     };
 }
 
-numbers!(u8: "uint8", i8: "int8", u16: "uint16", i16: "int16", u32: "uint32", i32: "int32");
+numbers!(i8: "int8", u16: "uint16", i16: "int16", u32: "uint32", i32: "int32");
 numbers!(u64: "uint64", i64: "int64", f32: "float32", f64: "float64");
+
+impl Field for u8 {
+    fn name() -> String {
+        "uint8".to_owned()
+    }
+
+    fn encode(&self, out: &mut Cdr) {
+        out.0.push(*self);
+    }
+
+    /// Images are long.
+    fn encode_all(values: &[Self], out: &mut Cdr) {
+        out.0.extend_from_slice(values);
+    }
+}
 
 impl Field for bool {
     fn name() -> String {
@@ -75,9 +90,7 @@ impl<F: Field> Field for Vec<F> {
 
     fn encode(&self, out: &mut Cdr) {
         out.length(self.len());
-        for one in self {
-            one.encode(out);
-        }
+        F::encode_all(self, out);
     }
 }
 

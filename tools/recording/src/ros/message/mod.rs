@@ -24,6 +24,16 @@ pub trait Field {
 
     /// Appends the value.
     fn encode(&self, out: &mut Cdr);
+
+    /// Appends values one after the other.
+    fn encode_all(values: &[Self], out: &mut Cdr)
+    where
+        Self: Sized,
+    {
+        for one in values {
+            one.encode(out);
+        }
+    }
 }
 
 /// A message with a name, `package/Name`.
