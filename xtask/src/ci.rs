@@ -248,8 +248,8 @@ fn perform(steps: &[Step]) -> Result<(), String> {
 fn lanes(steps: &[Step]) -> (Vec<Step>, [Vec<Step>; 2]) {
     let (alone, rest): (Vec<_>, Vec<_>) = steps.iter().partition(|step| **step <= Step::Tests);
     let waits = |step: &Step| {
-        use Step::{Advisories, Browser, Deny, Publish, Python, Robot, Ros, Viewers};
-        matches!(step, Publish | Deny | Advisories | Viewers | Python | Robot | Ros | Browser)
+        use Step::{Advisories, Browser, Deny, Robot, Ros, Viewers};
+        matches!(step, Deny | Advisories | Viewers | Robot | Ros | Browser)
     };
     let (waiting, computing) = rest.into_iter().partition(waits);
     (alone, [waiting, computing])
