@@ -85,12 +85,14 @@ function Therapist({ visible }) {
   const operates = shown?.info.value.control === 'yours' && !['ready', 'finished', null].includes(state);
   useEffect(() => {
     if (!operates) return undefined;
-    const [here, gone] = ['page_is_here', 'page_closes'].map((name) => () => call('Guard', name));
+    // The end of control ends this effect only later: until then a call would take control again.
+    const tell = (name) => session.peek()?.info.peek().control === 'yours' && call('Guard', name);
+    const here = () => tell('page_is_here');
     here();
     const end = pulse(here);
     return () => {
       end();
-      if (session.peek()?.info.peek().control === 'yours') gone();
+      tell('page_closes');
     };
   }, [operates]);
 

@@ -57,6 +57,9 @@ impl Setup {
     }
 }
 
+/// Stack of a thread that prepares a world or plays in it, bytes: without optimisation a robot is copied several times.
+pub(super) const STACK_BYTES: usize = 32 << 20;
+
 impl World {
     /// Starts a world and waits until its link can be reached.
     pub(super) fn start(game: Game, options: &Options, recording: PathBuf) -> Result<Self, Failed> {
@@ -65,7 +68,8 @@ impl World {
         let is_kept = !recording.starts_with(&options.spool);
         let run = WorldRun::new(recording);
         let own = run.clone();
-        let thread = std::thread::Builder::new().name("world".to_owned()).spawn(move || game(&own));
+        let thread = std::thread::Builder::new().name("world".to_owned()).stack_size(STACK_BYTES);
+        let thread = thread.spawn(move || game(&own));
         let thread = thread.map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
         let mut world = Self { thread: Some(thread), run, is_kept };
         while !world.run.memory().is_served_within(POLL) {

@@ -21,7 +21,7 @@ use super::common::Common;
 use super::robot_recording::unused;
 use super::session::Session;
 use super::shared::Operator;
-use super::world::{Setup, World};
+use super::world::{STACK_BYTES, Setup, World};
 use crate::protocol::{Connection, Failed, Request, SessionId, SessionKind};
 use attached::Attached;
 use bica_wire::message::LogSource;
@@ -73,7 +73,7 @@ fn start(
     let session = Session::new(identity, common.clone(), commands, record);
     let session = Arc::new(session);
     let own = Arc::clone(&session);
-    let thread = std::thread::Builder::new().name(format!("session {}", session.id));
+    let thread = std::thread::Builder::new().name(format!("session {}", session.id)).stack_size(STACK_BYTES);
     let work = move || {
         run(&own, source, &inbox);
         own.thread_ended();
