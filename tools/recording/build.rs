@@ -44,6 +44,7 @@ fn commit() -> Option<(String, bool)> {
 }
 
 fn git(args: &[&str]) -> Option<String> {
-    let output = Command::new("git").args(args).output().ok()?;
+    // Without the lock, git does not refresh its index, whose change would run this script again in the next build.
+    let output = Command::new("git").arg("--no-optional-locks").args(args).output().ok()?;
     output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
