@@ -219,7 +219,7 @@ fn take_ours(component: &mut Component, function: &mut block::Function, report: 
 }
 
 fn sort(component: &mut Component, function: &mut block::Function, mut roles: Vec<Attribute>, report: &mut Report) {
-    // Of several roles the one that fits the signature is read: the others are one mistake, not one for each of their rules.
+    // Of several roles only the one that fits the signature is read, so each of the others gives one error.
     let is_condition =
         signature::is_condition(&function.signature) && !roles.iter().any(|one| roles::role(one) == Some("state"));
     roles.sort_by_key(|one| (roles::role(one) == Some("transition")) != is_condition);

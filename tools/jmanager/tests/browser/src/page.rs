@@ -76,7 +76,7 @@ pub struct Page {
     // Ends the browser when the page is dropped.
     driver: Driver,
     /// Whether another page may have the browser.
-    is_usual: bool,
+    is_reusable: bool,
 }
 
 impl Page {
@@ -88,15 +88,15 @@ impl Page {
     /// Opens a URL with more arguments of the browser.
     pub async fn open_with(url: &str, (width, height): (u32, u32), arguments: &[&str]) -> Self {
         // Firefox has no command that clears its storage.
-        let is_usual = arguments.is_empty() && !is_firefox();
-        let idle = is_usual.then(|| IDLE.lock().expect("no panic before").pop()).flatten();
+        let is_reusable = arguments.is_empty() && !is_firefox();
+        let idle = is_reusable.then(|| IDLE.lock().expect("no panic before").pop()).flatten();
         let (client, driver) = match idle {
             Some(idle) => idle,
             None => Self::start(arguments).await,
         };
         client.set_window_size(width, height).await.expect("a window");
         client.goto(url).await.expect("the page");
-        Self { client, driver, is_usual }
+        Self { client, driver, is_reusable }
     }
 
     /// Starts a browser.
@@ -338,7 +338,7 @@ impl Page {
     pub async fn close(self) {
         let errors = self.console().await;
         assert!(errors.is_empty(), "the console has errors: {errors:#?}");
-        if !self.is_usual {
+        if !self.is_reusable {
             let _ = self.client.close().await;
         } else if self.clear().await.is_ok() {
             IDLE.lock().expect("no panic before").push((self.client, self.driver));
