@@ -23,7 +23,14 @@ pub mod peer;
 pub mod process;
 pub mod random;
 
+use std::env;
 use std::path::Path;
+
+/// Returns the number of cases of a test whose cases take long: `few`, or `all` in CI, which sets `BICA_TEST_CASES`.
+#[must_use]
+pub fn cases<T>(few: T, all: T) -> T {
+    if env::var_os("BICA_TEST_CASES").is_some() { all } else { few }
+}
 
 /// Folder of the recorded images; it may not exist.
 #[must_use]

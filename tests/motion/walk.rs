@@ -353,7 +353,7 @@ impl Watch {
 }
 
 proptest! {
-    #![proptest_config(crate::motion::cases(100))]
+    #![proptest_config(crate::motion::cases(bica_test_data::cases(32, 100)))]
 
     #[test]
     fn mass_stays_over_the_feet_for_any_requests(

@@ -6,13 +6,10 @@ use std::str::FromStr;
 
 use bica_player::referee::packet::{BallReport, CONTROL_BYTES, Control, PlayerInfo, Status, Team};
 
-/// Number of packets of each kind.
-const COUNT: usize = 10_000;
-
-/// Runs the encoder; `None` without Python. In CI, which has Python, it must run.
-fn vectors() -> Option<String> {
+/// Runs the encoder for `count` packets of each kind; `None` without Python. In CI, which has Python, it must run.
+fn vectors(count: usize) -> Option<String> {
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/referee/vectors.py");
-    let run = Command::new("python3").args([script, &COUNT.to_string(), "2026"]).output();
+    let run = Command::new("python3").args([script, &count.to_string(), "2026"]).output();
     match run {
         Ok(run) => {
             assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
@@ -55,7 +52,8 @@ fn fields(control: &Control) -> Vec<i32> {
 
 #[test]
 fn packets_equal_those_of_another_encoder() {
-    let Some(vectors) = vectors() else { return };
+    let count = bica_test_data::cases(500, 10_000);
+    let Some(vectors) = vectors(count) else { return };
     let mut counts = [0; 2];
     for line in vectors.lines() {
         let mut words = line.split(' ');
@@ -81,5 +79,5 @@ fn packets_equal_those_of_another_encoder() {
             counts[1] += 1;
         }
     }
-    assert_eq!(counts, [COUNT; 2]);
+    assert_eq!(counts, [count; 2]);
 }

@@ -142,6 +142,11 @@ fn budget() -> Result<(), String> {
         .try_for_each(|script| run("python3", &[&format!("benches/scripts/{script}")], &[]))
 }
 
+/// Targets that have other tests, or test other code, with the features of all steps. The others were tested without these, as the
+/// examples in the docs.
+const FEATURED: &str = "--lib --bins --test behaviours --test jmanager --test league --test mujoco --test program --test replay \
+    --test robot --test runner";
+
 /// Runs all tests but those that need what a clone does not have, or an idle machine.
 fn tests() -> Result<(), String> {
     let visits = folder("coverage");
@@ -152,8 +157,9 @@ fn tests() -> Result<(), String> {
     let cases = [("BICA_TEST_CASES", "1000"), ("PROPTEST_CASES", "256"), ("PROPTEST_RNG_SEED", "1")];
     let variables = [&cases[..], &[("BICA_COVERAGE", &visits)]].concat();
     // The command of the README first: later steps need the programs with all features.
-    run("cargo", &["test", "--workspace", "--quiet"], &cases)?;
-    build::cargo("test", &[], &variables)?;
+    run("cargo", &["test", "--workspace", "--quiet"], &variables)?;
+    build::programs()?;
+    build::cargo("test", &FEATURED.split(' ').collect::<Vec<_>>(), &variables)?;
     slow_tests::run(&variables)?;
     coverage(&visits)
 }
@@ -316,7 +322,10 @@ fn names(steps: &[Step], separator: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
+    use crate::process::output;
 
     #[test]
     fn steps_left_out_are_named() {
@@ -325,6 +334,17 @@ mod tests {
         let (steps, left_out) = select(&Ci { only: vec![Step::NoStd], ..Ci::default() });
         assert_eq!((steps, left_out.len()), (vec![Step::NoStd], 19));
         assert_eq!(summary(&select(&Ci::default()).1), "all steps passed");
+    }
+
+    #[test]
+    fn targets_that_depend_on_features_are_tested_with_them() {
+        let files =
+            output("git", &["grep", "--files-with-matches", "feature = \"", "--", "*.rs"], &[]).expect("a clone");
+        let targets = files.lines().filter_map(|file| file.split_once("/tests/"));
+        let targets = targets.filter(|(package, _)| !package.contains("/src"));
+        let targets: BTreeSet<_> = targets.filter_map(|(_, rest)| rest.split(['/', '.']).next()).collect();
+        let tested: BTreeSet<_> = FEATURED.split(' ').filter(|word| !word.starts_with("--")).collect();
+        assert!(targets.is_subset(&tested) && targets.len() > 5, "{targets:?} {tested:?}");
     }
 
     #[test]

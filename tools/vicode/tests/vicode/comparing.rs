@@ -153,7 +153,7 @@ fn difference_of_machines_is_antisymmetric() {
         parts.sort();
         parts
     };
-    for pair in texts.windows(2) {
+    for pair in texts.windows(2).step_by(bica_test_data::cases(4, 1)) {
         assert!(compared(&pair[0], &pair[0]).is_empty());
         assert_eq!(signs(&compared(&pair[0], &pair[1]), false), signs(&compared(&pair[1], &pair[0]), true));
     }

@@ -203,7 +203,7 @@ fn sequences(count: u64, seed: u64) -> (usize, usize) {
 
 #[test]
 fn random_edits_change_nothing_else() {
-    let (accepted, refused) = sequences(16, 1);
+    let (accepted, refused) = sequences(bica_test_data::cases(8, 16), 1);
     assert!(accepted > refused, "{accepted} {refused}");
 }
 

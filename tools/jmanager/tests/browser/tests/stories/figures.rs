@@ -208,21 +208,27 @@ async fn load_of_ten_pages() {
     );
 }
 
+/// The robot is a separate process that plays in real time, so only the server's memory is measured. `JMANAGER_MINUTES` sets how long;
+/// the history is full after ten minutes.
 #[tokio::test]
 async fn memory_over_minutes() {
     if !wanted() {
         return;
     }
-    let (server, page) = game("memory").await;
+    let minutes = std::env::var("JMANAGER_MINUTES").map_or(5, |text| text.parse().expect("a number of minutes"));
+    let seconds = (60 * (minutes + 1)).to_string();
+    let robot = Robot::start(&[&["--seed", "2", "--seconds", &seconds, "--size", "320x240"], &NEVER[..]].concat());
+    let server = Server::start("memory", &[&format!("tcp://{}", robot.address)]);
+    let page = Page::open(&server, WIDE).await;
+    page.find("button", "FaceBall", "Activation tree").await;
     let mut last = None;
-    for minute in 0..6_u32 {
-        // The world of a game that is over does not move, so nothing would be measured.
-        page.click("button", "Restart", "").await;
+    for minute in 0..=minutes {
         let heap = page.run("window.gc?.(); return performance.memory.usedJSHeapSize").await;
+        let time = page.run("return document.querySelector('.clock b').textContent").await;
         let resident = server.resident_bytes();
         let growth = last.map_or(0.0, |before: u64| (resident as f64 - before as f64) / 1e6);
         println!(
-            "minute {minute}: server {:.1} MB ({growth:+.1}), page's heap {:.1} MB",
+            "minute {minute}, robot's time {time}: server {:.1} MB ({growth:+.1}), page's heap {:.1} MB",
             resident as f64 / 1e6,
             number(&heap) / 1e6
         );
