@@ -337,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn targets_that_depend_on_features_are_tested_with_them() {
+    fn targets_with_features_are_tested_with_them() {
         let files =
             output("git", &["grep", "--files-with-matches", "feature = \"", "--", "*.rs"], &[]).expect("a clone");
         let targets = files.lines().filter_map(|file| file.split_once("/tests/"));

@@ -138,7 +138,7 @@ pub enum ToMonitor<'a> {
     Answer(Answer<'a>),
     /// A line of the log.
     #[serde(borrow)]
-    Log(LogLine<'a>),
+    Log(LogLine<&'a str>),
     /// The robot closes the connection.
     Closing {
         /// The reason, for people.

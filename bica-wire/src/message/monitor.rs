@@ -148,15 +148,15 @@ pub enum LogSource {
     Monitor,
 }
 
-/// A line of the robot's log.
+/// A line of the robot's log, with its text as `T`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub struct LogLine<'a> {
+pub struct LogLine<T> {
     /// Time in the robot's time, µs.
     pub time_us: u64,
     /// 1 debug, 2 information, 3 warning, 4 error.
     pub level: u8,
     /// Origin.
     pub source: LogSource,
-    /// The text, at most [`MAX_TEXT_BYTES`].
-    pub text: &'a str,
+    /// The text; in a message at most [`MAX_TEXT_BYTES`].
+    pub text: T,
 }

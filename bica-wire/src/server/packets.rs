@@ -197,7 +197,7 @@ impl Connection {
 }
 
 impl LogEntry {
-    fn message<'a>(&self, nodes: &[Node], text: &'a mut String<96>) -> LogLine<'a> {
+    fn message<'a>(&self, nodes: &[Node], text: &'a mut String<96>) -> LogLine<&'a str> {
         let (refused, level) = if self.level == REFUSED { ("refused: ", 3) } else { ("", self.level) };
         let node = self.component.and_then(|component| nodes.get(component.index()));
         let (space, name) = node.map_or(("", ""), |node| (" ", node.name));

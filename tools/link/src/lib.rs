@@ -35,7 +35,7 @@ pub use bica_wire::model::{
     Component, Description, Invalid, Kind, Link, Modulation, NamedRequest, NamedSetting, Output, Param, Placement,
     Plain, State, Transition, Variant, Variants,
 };
-pub use client::{Answered, Client, ClientOptions, Costs, Event, LogLine, Shown, Snapshot, Truth, happened};
+pub use client::{Answered, Client, ClientOptions, Costs, Event, Shown, Snapshot, Truth, happened};
 pub use cost_meter::{ComponentTime, CostMeter};
 pub use error::Error;
 pub use image::Image;

@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 
 use bica::Hold;
 use bica::runner::OwnedRequest;
-use bica_link::{Client, ClientOptions, Error, Event, LogLine, Plain, Snapshot, decode_output};
-use bica_wire::message::WorldChange;
+use bica_link::{Client, ClientOptions, Error, Event, Plain, Snapshot, decode_output};
+use bica_wire::message::{LogLine, WorldChange};
 use bica_wire::model::{NamedRequest, NamedSetting};
 use serde::Serialize;
 use serde_json::json;

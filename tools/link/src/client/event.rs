@@ -2,8 +2,8 @@
 
 use bica::runner::OwnedRequest;
 use bica_wire::message::{
-    self, ComponentCost, ComponentState, ConditionState, CycleInfo, LeaseState, LogSource, Reached, RefusalCode, Taken,
-    Value, WorldState,
+    self, ComponentCost, ComponentState, ConditionState, CycleInfo, LeaseState, LogLine, LogSource, Reached,
+    RefusalCode, Taken, Value, WorldState,
 };
 
 use bica_wire::model::Description;
@@ -27,8 +27,8 @@ pub enum Event {
     Lease(LeaseState),
     /// Answer to a request.
     Answer(Answered),
-    /// Line of the robot's log, at the robot's time in µs. Levels: 1 debug, 2 information, 3 warning, 4 error.
-    Log { time_us: u64, level: u8, source: LogSource, text: String },
+    /// Line of the robot's log.
+    Log(LogLine<String>),
     /// Conditions of the transitions of a component in the tick at a time in µs; none for one that was not evaluated in the present
     /// state.
     Conditions { time_us: u64, component: usize, conditions: Vec<Option<ConditionState>> },
@@ -54,32 +54,19 @@ pub enum Event {
     Result(String),
 }
 
-/// A line of a log.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LogLine {
-    /// Time in the robot's time, µs.
-    pub time_us: u64,
-    /// 1 debug, 2 information, 3 warning, 4 error.
-    pub level: u8,
-    /// Origin.
-    pub source: LogSource,
-    /// The text.
-    pub text: String,
-}
-
 impl Event {
     /// Returns the line of the log for the event, with the names of the tree; none for an event that is not logged.
     #[must_use]
-    pub fn line(&self, tree: &Description) -> Option<LogLine> {
-        let (time_us, level, source, text) = match self {
-            Self::Log { time_us, level, source, text } => (*time_us, *level, *source, text.clone()),
+    pub fn line(&self, tree: &Description) -> Option<LogLine<String>> {
+        let (time_us, source, text) = match self {
+            Self::Log(line) => return Some(line.clone()),
             Self::Requested { time_us, request } => {
-                (*time_us, 2, LogSource::Operator, tree.named(request.borrow()).to_string())
+                (*time_us, LogSource::Operator, tree.named(request.borrow()).to_string())
             }
-            Self::Happened { time_us, kind, detail } => (*time_us, 2, LogSource::World, happened(kind, detail)),
+            Self::Happened { time_us, kind, detail } => (*time_us, LogSource::World, happened(kind, detail)),
             _ => return None,
         };
-        Some(LogLine { time_us, level, source, text })
+        Some(LogLine { time_us, level: 2, source, text })
     }
 }
 

@@ -30,7 +30,7 @@ const fn key(event: &Event) -> Option<Key> {
         Event::World(_) => (8, 0, 0),
         Event::Scenery(_) => (9, 0, 0),
         Event::Result(_) => (10, 0, 0),
-        Event::Log { .. }
+        Event::Log(_)
         | Event::Answer(_)
         | Event::Taken(_)
         | Event::Reached(_)
@@ -68,7 +68,7 @@ impl Events {
         // A robot sends one answer for each request. The number of answers is bounded, too, because a hostile robot may send
         // more.
         let give_way: [fn(&Event) -> bool; 3] =
-            [|event| matches!(event, Event::Log { .. }), |event| !matches!(event, Event::Answer(_)), |_| true];
+            [|event| matches!(event, Event::Log(_)), |event| !matches!(event, Event::Answer(_)), |_| true];
         for gives_way in give_way {
             let mut surplus = self.0.len().saturating_sub(ROOM_FROM);
             self.0.retain(|event| {
@@ -82,7 +82,7 @@ impl Events {
 
 #[cfg(test)]
 mod tests {
-    use bica_wire::message::{LeaseState, LogSource};
+    use bica_wire::message::{LeaseState, LogLine, LogSource};
 
     use super::*;
 
@@ -90,7 +90,7 @@ mod tests {
     fn lease_answer_stays_among_many_events() {
         let mut events = Events::default();
         let output = |cycle, output| Event::Output { cycle, component: 0, output, value: None };
-        let log = |time_us| Event::Log { time_us, level: 2, source: LogSource::Robot, text: String::new() };
+        let log = |time_us| Event::Log(LogLine { time_us, level: 2, source: LogSource::Robot, text: String::new() });
         let answer = Answered { number: 7, cycle: 0, arrived: 0, values: Vec::new(), refused: None };
         let first = [Event::Lease(LeaseState::default()), Event::Answer(answer), output(0, 1)];
         for event in first.clone() {

@@ -159,7 +159,7 @@ impl Inbox {
             }
             ToMonitor::Answer(answer) => self.events.push(Event::Answer(answered(answer))),
             ToMonitor::Log(LogLine { time_us, level, source, text }) => {
-                self.events.push(Event::Log { time_us, level, source, text: text.to_owned() });
+                self.events.push(Event::Log(LogLine { time_us, level, source, text: text.to_owned() }));
             }
             ToMonitor::Closing { reason } => self.closing = Some(reason.to_owned()),
         }

@@ -26,7 +26,7 @@ use crate::stream::{Reading, Stream};
 use bica_wire::model::{Description, Invalid};
 use inbox::Inbox;
 
-pub use event::{Answered, Costs, Event, LogLine, Snapshot, happened};
+pub use event::{Answered, Costs, Event, Snapshot, happened};
 pub use options::ClientOptions;
 pub use scene::{Shown, Truth};
 

@@ -9,8 +9,8 @@ use bica::runner::{Observer, Runner};
 use bica::{ComponentId, Instant, Probe};
 use bica_link::{Client, Costs, Error, Event, Image, Truth};
 use bica_wire::message::{
-    COSTS_CYCLES, ConditionState, ExtraKind, Offers, Reached, RefusalCode, Setting, Stop, StopAt, Taken, Value,
-    WorldChange, WorldState,
+    COSTS_CYCLES, ConditionState, ExtraKind, LogLine, Offers, Reached, RefusalCode, Setting, Stop, StopAt, Taken,
+    Value, WorldChange, WorldState,
 };
 
 use crate::robot::{CART, CartTree};
@@ -379,7 +379,8 @@ fn world_pauses_at_a_breakpoint_of_its_program(way: Way) {
         [(0.1, "breakpoint: Cart is in `wait`"), (3.0, "breakpoint: Cart takes `is_far` from `wait` to `approach`")]
     {
         operator.request(placed(&[Value::F32(distance)])).unwrap();
-        let time_us = next!(&mut operator, expected, Event::Log { time_us, text, .. } if text == expected => time_us);
+        let time_us =
+            next!(&mut operator, expected, Event::Log(LogLine { time_us, text, .. }) if text == expected => time_us);
         next!(&mut operator, "the pause", Event::World(WorldState { paused: true, .. }) => ());
         assert_eq!(session.cycles(), time_us / CYCLE_US + 1, "{expected}");
         operator.change_world(WorldChange::Resume).unwrap();

@@ -5,7 +5,7 @@ use std::time::Duration;
 use bica::ComponentId;
 use bica::runner::Request;
 use bica_link::{Client, Error, Event};
-use bica_wire::message::{Hold, LeaseAction, RefusalCode, Setting, Value};
+use bica_wire::message::{Hold, LeaseAction, LogLine, RefusalCode, Setting, Value};
 
 use crate::robot::{CART, DRIVE};
 use crate::session::{CYCLE_US, Session, Way, next, over_ways, refusal, snapshot};
@@ -84,7 +84,7 @@ fn silence_ends_the_lease_on_the_robot_s_clock(way: Way) {
     let last = operator.request(batch(&[set(0, 0.25)])).unwrap().cycle;
     // From here on the operator is silent, and its connection stays open.
     let ended_us = next!(&mut watcher, "the lease ends",
-        Event::Log { time_us, level: 3, text, .. } if text.contains("silent") => time_us);
+        Event::Log(LogLine { time_us, level: 3, text, .. }) if text.contains("silent") => time_us);
     let expected = last * CYCLE_US + silence.as_micros() as u64 + CYCLE_US;
     assert_eq!(ended_us, expected, "the first cycle after the silence");
     let ended = snapshot(&mut watcher, "a snapshot", |snapshot| snapshot.info.time_us >= ended_us);
@@ -111,7 +111,7 @@ fn lease_numbers_cannot_be_guessed(way: Way) {
     operator.request(HOLD).unwrap();
     other.acquire(true).unwrap();
     let lost = "control has ended: another monitor has taken it";
-    next!(&mut operator, "the loss of control", Event::Log { text, .. } if text == lost => ());
+    next!(&mut operator, "the loss of control", Event::Log(LogLine { text, .. }) if text == lost => ());
     assert!(!operator.lease().yours);
 }
 

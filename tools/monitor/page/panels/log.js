@@ -1,7 +1,6 @@
 // Log and story, with filters and notes.
 
 import { html, useEffect, useRef, useSignal } from '../lib/dom.js';
-import { openComponent } from '../lib/dock.js';
 import { time } from '../lib/format.js';
 import { cursor, seek, session } from '../lib/store.js';
 import { Bar, Empty, Toggle, download } from '../lib/ui.js';
@@ -41,10 +40,7 @@ export function Log({ visible }) {
     <//>
     ${lines.length === 0
       ? html`<${Empty} what=${shown.lines.length ? 'No line passes the filters' : 'No line yet'} help=${shown.lines.length ? 'Turn more kinds on, or clear the text.' : 'Transitions, events of the world, requests and notes appear here. Add a note in the timeline.'} />`
-      : html`<ol class="log" ref=${list} aria-label="Log lines">${lines.map((line) => {
-          const component = line.component === undefined ? null : shown.description.value?.components[line.component]?.name;
-          return html`<li key=${line.key} class=${`level${line.level} ${line.source} ${cursor.value !== null && line.time_us > cursor.value ? 'later' : ''}`}>
+      : html`<ol class="log" ref=${list} aria-label="Log lines">${lines.map((line) => html`<li key=${line.key} class=${`level${line.level} ${line.source} ${cursor.value !== null && line.time_us > cursor.value ? 'later' : ''}`}>
             <button class="time" title="Show this moment" onClick=${() => seek(line.time_us)}>${time(line.time_us)}</button><span class="kind">${SOURCES[line.source]}</span>
-            <span class="text">${component && html`<button class="name" onClick=${() => openComponent(component)}>${component}</button>`}${line.text}</span></li>`;
-        })}</ol>`}`;
+            <span class="text">${line.text}</span></li>`)}</ol>`}`;
 }

@@ -50,7 +50,7 @@ pub enum Request {
         until_us: u64,
         points: usize,
     },
-    /// Reads the last log lines of an interval, at most `limit`. [list of [`LogLine`](super::LogLine)]
+    /// Reads the last log lines of an interval, at most `limit`. [list of [`LogLine`](bica_wire::message::LogLine)]
     Lines { from_us: u64, until_us: u64, limit: usize },
     /// Makes the page the operator of a session, unless there is another one.
     Acquire {},

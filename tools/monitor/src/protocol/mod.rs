@@ -35,9 +35,7 @@ pub use source_file::{
     SourceUse, StatePosition,
 };
 pub use source_request::{MovedState, SourcePlace, SourceRequest};
-pub use state::{
-    Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, Job, LogLine, Moment, OutputSample, Row,
-};
+pub use state::{Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, Job, Moment, OutputSample, Row};
 pub use to_page::{Failed, ToPage};
 pub use watch::{Watch, WatchImages, WatchOutput};
 pub use world::{World, WorldOption};

@@ -2,7 +2,7 @@
 
 use bica::JobEnd;
 use bica_link::Shown;
-use bica_wire::message::{ComponentState, LogSource};
+use bica_wire::message::ComponentState;
 use serde::{Serialize, Serializer};
 
 /// State of a component; a list in JSON: active, hold, state, rate, and the time.
@@ -88,22 +88,6 @@ pub struct ComponentCost(
     /// Longest time of a run, µs.
     pub f32,
 );
-
-/// A line of the log.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct LogLine {
-    /// Time, µs.
-    pub time_us: u64,
-    /// 1 debug, 2 information, 3 warning, 4 error.
-    pub level: u8,
-    /// Origin of the line.
-    pub source: LogSource,
-    /// Text.
-    pub text: String,
-    /// Component that the line concerns.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub component: Option<usize>,
-}
 
 /// State at a time.
 #[derive(Clone, Debug, PartialEq, Serialize)]

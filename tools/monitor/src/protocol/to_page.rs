@@ -2,11 +2,12 @@
 
 use bica_drawing::layout::Kind;
 use bica_link::{Description, Plain, Shown};
+use bica_wire::message::LogLine;
 use serde::Serialize;
 
 use super::{
-    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Hit, Limits, LogLine, OutputSample, SessionId,
-    SessionInfo, SourceChange, SourceState, World,
+    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Hit, Limits, OutputSample, SessionId, SessionInfo,
+    SourceChange, SourceState, World,
 };
 
 /// A message to the page.
@@ -70,7 +71,7 @@ pub enum ToPage {
     /// Values of all parameters of a component in the order of the description, after a change.
     Params { session: SessionId, component: usize, values: Vec<Plain> },
     /// New lines of the log.
-    Log { session: SessionId, lines: Vec<LogLine> },
+    Log { session: SessionId, lines: Vec<LogLine<String>> },
     /// The breakpoints of a session, after a change.
     Breakpoints { session: SessionId, list: Vec<Breakpoint> },
     /// A breakpoint was reached.

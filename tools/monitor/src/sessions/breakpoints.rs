@@ -4,8 +4,8 @@ use super::breakpoint_target::{BreakpointTarget, moved, next};
 use super::commands::Command;
 use super::session::Session;
 use super::shared::Shared;
-use crate::protocol::{Breakpoint, Failed, Hit, LogLine, Reached, ToPage};
-use bica_wire::message::LogSource;
+use crate::protocol::{Breakpoint, Failed, Hit, Reached, ToPage};
+use bica_wire::message::{LogLine, LogSource};
 
 /// Largest number of breakpoints of a session.
 const MAX_BREAKPOINTS: usize = 500;
@@ -71,13 +71,7 @@ impl Session {
         };
         let end = if paused { ": the world is paused" } else { "" };
         let text = format!("breakpoint: {text}{end}");
-        self.add_line(LogLine {
-            time_us: reached.time_us,
-            level: 2,
-            source: LogSource::Monitor,
-            text,
-            component: None,
-        });
+        self.add_line(LogLine { time_us: reached.time_us, level: 2, source: LogSource::Monitor, text });
         self.pages.broadcast(&ToPage::Hit(Hit { session: self.id, reached, paused }));
     }
 }

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use bica_drawing::layout::kinds;
 use bica_link::{Description, Shown};
-use bica_wire::message::LogSource;
+use bica_wire::message::{LogLine, LogSource};
 
 use super::breakpoint_target;
 use super::commands;
@@ -22,9 +22,7 @@ use crate::pages::{DataKind, Frame, Key};
 use crate::pages::{PageId, Pages, lock};
 use crate::program::{Image, Program, Remembered};
 use crate::protocol::binary::{PixelKind, image_frame};
-use crate::protocol::{
-    Capabilities, Connection, Control, Failed, LogLine, SessionId, SessionInfo, SessionKind, ToPage,
-};
+use crate::protocol::{Capabilities, Connection, Control, Failed, SessionId, SessionInfo, SessionKind, ToPage};
 
 /// Interval of checks whether a session's thread has ended.
 const POLL: Duration = Duration::from_millis(5);
@@ -235,7 +233,7 @@ impl Session {
     /// Adds a line to the log and sends it to all pages.
     pub(super) fn log(&self, level: u8, source: LogSource, text: impl Into<String>) {
         let time_us = self.shared().history.span().1;
-        self.add_line(LogLine { time_us, level, source, text: text.into(), component: None });
+        self.add_line(LogLine { time_us, level, source, text: text.into() });
     }
 
     /// Stores the result of the run.
@@ -253,7 +251,7 @@ impl Session {
         }
     }
 
-    pub(super) fn add_line(&self, line: LogLine) {
+    pub(super) fn add_line(&self, line: LogLine<String>) {
         self.tell(line.time_us, Told::Line(line));
     }
 

@@ -62,7 +62,7 @@ fn a_game_begins_paused_and_pauses_at_breakpoints() {
     client.release().expect("the lease is given back");
     let expected = "breakpoint: Player takes `ball_seen` from `look_for_ball` to `approach`";
     let mut next = || client.poll(Duration::from_mins(1)).expect("a link").expect("the breakpoint is reached");
-    while !matches!(next(), Event::Log { text, .. } if text == expected) {}
+    while !matches!(next(), Event::Log(line) if line.text == expected) {}
     let cycle = || monitor(&game, &["step", "1"]).1[0]["cycle"].as_u64().expect("a number");
     assert_eq!(cycle() + 1, cycle(), "the world is paused");
     game.child.kill().expect("a process");

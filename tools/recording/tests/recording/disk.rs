@@ -115,7 +115,8 @@ fn long_sync_delays_no_write() {
         loop {
             let contents = disk.contents();
             // While the file grows it is not read: each reading decompresses all of it.
-            let written = if contents.len() == length { Info::read(&contents[..]).expect("a header").cycles } else { 0 };
+            let written =
+                if contents.len() == length { Info::read(&contents[..]).expect("a header").cycles } else { 0 };
             if written == count {
                 break;
             }

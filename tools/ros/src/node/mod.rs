@@ -15,9 +15,9 @@ use std::collections::{BTreeMap, VecDeque};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use bica::Format;
-use bica_link::{Address, Answered, Client, ClientOptions, Error, Event, Image, LogLine, Snapshot, decode_output};
+use bica_link::{Address, Answered, Client, ClientOptions, Error, Event, Image, Snapshot, decode_output};
 use bica_recording::ros::{Names, Topics, Twist, parameter_value};
-use bica_wire::message::{ExtraKind, Offers};
+use bica_wire::message::{ExtraKind, LogLine, Offers};
 use bica_wire::model::Invalid;
 use ros2_client::dds::Subscription;
 use serde_json::Value;

@@ -258,16 +258,3 @@ fn above<'a>(text: &'a str, array: Span, row: &Row) -> &'a str {
 fn has_comma(text: &str, after: Span) -> bool {
     after.of(text).trim_start().starts_with(',')
 }
-
-#[cfg(test)]
-mod tests {
-    use super::number;
-
-    #[test]
-    fn a_number_keeps_the_form_of_the_one_before() {
-        let written =
-            [("36", 40.4), ("0.40", 0.5), ("0.4", -0.0), ("6.990_085", 7.5), ("-1.0", -0.123_456_78), ("2.", 3.0)];
-        let written = written.map(|(old, value)| number(old, value));
-        assert_eq!(written, ["40", "0.50", "0.0", "7.500_000", "-0.123457", "3."]);
-    }
-}

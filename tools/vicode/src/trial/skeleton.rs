@@ -22,8 +22,8 @@ impl Trial {
         imports.sort();
         let tree = tree.rsplit("::").next().unwrap_or_default().to_owned();
         let mut out = format!(
-            "//! `{name}` as it was tried in VICODE.\n\nuse bica::Duration;\nuse bica::runner::harness::Harness;\n{}\n\n\
-             #[test]\n#[ignore = \"set the inputs of the conditions first\"]\nfn {}() {{\n    \
+            "//! `{name}` as it was tried in VICODE.\n\nuse bica::Duration;\nuse bica::runner::harness::Harness;\n{}\n\n#[test]\n\
+             #[ignore = \"set the inputs of the conditions first\"]\nfn {}() {{\n    \
              let mut test = Harness::new({tree}::new());\n",
             imports.join("\n"),
             self.test_name(),

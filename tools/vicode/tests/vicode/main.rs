@@ -16,6 +16,7 @@ mod imports;
 mod keeping;
 mod machines;
 mod merging;
+mod nesting;
 mod reading;
 mod renaming;
 mod results;

@@ -87,6 +87,24 @@ fn each_motion_is_written_back_byte_for_byte() {
     assert!(number >= 30, "{number} motions");
 }
 
+#[test]
+fn a_number_keeps_the_form_of_the_one_before() {
+    for (old, value, new) in [
+        ("36", 40.4, "40"),
+        ("0.40", 0.5, "0.50"),
+        ("0.4", -0.0, "0.0"),
+        ("6.990_085", 7.5, "7.500_000"),
+        ("-1.0", -0.123_456_78, "-0.123457"),
+        ("2.", 3.0, "3."),
+    ] {
+        let text = |number: &str| format!("const ONE: Frame = Frame {{ seconds: {number} }};\n");
+        let mut document = Document::new(&text(old));
+        let numbers = vec![NewNumber { row: 0, cell: "seconds".to_owned(), value: Some(value) }];
+        document.apply(&[Edit::SetNumbers { table: "ONE".to_owned(), numbers }]).expect("a number of the table");
+        assert_eq!(document.text(), text(new));
+    }
+}
+
 const KEYS: &str = "const fn keys(of: Movement) -> &'static [Key] {\n    match of {\n        Movement::Wave => &[],\n        \
     Movement::Nod => &[&[(HeadPitch, -37.0), (HeadYaw, 1.0)], &[ /* rest */ ]],\n    }\n}\n\
     const LONG: [Frame; 2] = [\n    Frame::new(1, [2]), // one\n    // two\n    Frame::new(3, [4]) // three\n];\n\

@@ -13,8 +13,9 @@ mod truths;
 use std::collections::BTreeMap;
 
 use bica_link::Description;
+use bica_wire::message::LogLine;
 
-use crate::protocol::{Costs, LogLine};
+use crate::protocol::Costs;
 
 pub(super) use images::Images;
 pub(super) use outputs::OutputStore;
@@ -82,7 +83,7 @@ impl History {
     }
 
     /// Returns the last lines of the log in an interval, oldest first, with the names of the tree.
-    pub(super) fn lines(&self, from_us: u64, until_us: u64, limit: usize, tree: &Description) -> Vec<LogLine> {
+    pub(super) fn lines(&self, from_us: u64, until_us: u64, limit: usize, tree: &Description) -> Vec<LogLine<String>> {
         let last = self.told.between(from_us, until_us).rev().take(limit);
         let mut lines: Vec<_> = last.map(|(time_us, told)| told.line(*time_us, tree)).collect();
         lines.reverse();

@@ -13,7 +13,7 @@ use serde_json::Value;
 use super::inbox::{Exit, Inbox};
 use super::operation::Operation;
 use super::returned::is_same_run;
-use crate::protocol::{Capabilities, ComponentNow, Connection, LogLine, Reached, Request, ToPage};
+use crate::protocol::{Capabilities, ComponentNow, Connection, Reached, Request, ToPage};
 use crate::sessions::breakpoint_target::{self, Activity};
 use crate::sessions::commands::Command;
 use crate::sessions::history::Told;
@@ -210,9 +210,7 @@ impl<'a> Attached<'a> {
             Event::Params { component } => self.params(component),
             Event::Lease(lease) => return self.lease(lease),
             Event::Answer(answer) => self.answered(answer),
-            Event::Log { time_us, level, source, text } => {
-                self.session.add_line(LogLine { time_us, level, source, text, component: None });
-            }
+            Event::Log(line) => self.session.add_line(line),
             Event::Requested { time_us, request } => {
                 let request = RequestRecord::new(request.borrow(), &self.client.description().actions);
                 self.session.tell(time_us, Told::Request(request));
