@@ -128,6 +128,8 @@ pub use observer::{Cycle, Observer};
 pub use queue::{OwnedRequest, RequestQueue};
 pub use request::{Change, Request, Requests};
 pub use robot::Robot;
+#[cfg(feature = "std")]
+pub use robot::STACK_BYTES;
 pub use runner::Runner;
 pub use schedule::{Overrun, OverrunPolicy, RunError, Schedule};
 pub use timing::Timing;

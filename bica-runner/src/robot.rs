@@ -2,6 +2,11 @@
 
 use bica_core::Tree;
 
+/// Stack of a thread that builds or runs a robot or its world, bytes. A tree may hold a whole image, and is built on the stack before it
+/// moves to the heap; without optimisation it is copied several times.
+#[cfg(feature = "std")]
+pub const STACK_BYTES: usize = 32 << 20;
+
 /// Activation tree that can control a robot: defines the input of sensor values and the output of the command.
 ///
 /// Implement it for the type that `activation_tree!` declares.

@@ -9,11 +9,11 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
+use bica::runner::STACK_BYTES;
 use bica::runner::{Runner, World};
-use bica_app::STACK_BYTES;
 use bica_link::{Client, ClientOptions, LinkServer, ServerOptions};
-use bica_motion::robot::{Command, Sensors};
 use bica_motion::model::simulation::NAO;
+use bica_motion::robot::{Command, Sensors};
 use bica_player::tunable::Forward;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};

@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 use std::thread;
 use std::time::Duration;
 
-use bica_app::STACK_BYTES;
+use bica::runner::STACK_BYTES;
 use bica_player_program::game::{RecordOptions, ReplayOptions, Rules, WorldKind, play_recorded, replay};
 use bica_recording::mcap::{Compression, Item, Message, Reader, Writer};
 use bica_recording::repair::{recover, trim};

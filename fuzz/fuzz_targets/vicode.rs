@@ -107,7 +107,14 @@ fn edit(document: &Document, request: Request) -> Edit {
             parameter: name,
             value: word,
         },
-        17 => Edit::AddArrow { component, transition: function, from: vec!["*".to_owned()], to: name, after_ms: None, when: None },
+        17 => Edit::AddArrow {
+            component,
+            transition: function,
+            from: vec!["*".to_owned()],
+            to: name,
+            after_ms: None,
+            when: None,
+        },
         _ => Edit::Replace { span: Span::new(which as usize, which as usize + other as usize), text: word },
     }
 }

@@ -58,12 +58,6 @@ pub struct Dimensions {
 }
 
 impl Dimensions {
-    /// Height of the hips over the ground with straight legs, m.
-    #[must_use]
-    pub const fn leg_length(&self) -> f32 {
-        self.thigh + self.tibia + self.foot_height
-    }
-
     /// Mount of a camera.
     #[must_use]
     pub const fn camera(&self, camera: CameraId) -> CameraMount {

@@ -3,7 +3,9 @@
 use std::process::ExitCode;
 use std::thread;
 
-use crate::console::{Failure, Outcome, STACK_BYTES, interrupt};
+use bica::runner::STACK_BYTES;
+
+use crate::console::{Failure, Outcome, interrupt};
 
 /// Runs a program on a thread with a stack large enough for a large tree; returns the exit code.
 pub(crate) fn start(work: impl FnOnce() -> Result<Outcome, Failure> + Send + 'static) -> ExitCode {

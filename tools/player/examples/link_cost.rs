@@ -12,7 +12,8 @@ use std::time::Duration;
 
 use bica::Tree as _;
 use bica::runner::Runner;
-use bica_app::{Console, STACK_BYTES, ServeArgs};
+use bica::runner::STACK_BYTES;
+use bica_app::{Console, ServeArgs};
 use bica_link::{LinkServer, ServerOptions};
 use bica_player::tunable::Forward;
 use bica_wire::model::Description;

@@ -12,7 +12,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use bica::runner::Runner;
-use bica_app::STACK_BYTES;
+use bica::runner::STACK_BYTES;
 use bica_field::GoalColour;
 use bica_player_program::game::{Rules, WorldKind, recording_header};
 use bica_recording::{ImagePolicy, Recorder, RecorderOptions};

@@ -18,7 +18,7 @@ const fn seconds(seconds: u64) -> Duration {
 
 /// Runs a test with room for the tree on the stack.
 fn with_stack(test: impl FnOnce() + Send + 'static) {
-    let thread = std::thread::Builder::new().stack_size(bica_app::STACK_BYTES).spawn(test);
+    let thread = std::thread::Builder::new().stack_size(bica::runner::STACK_BYTES).spawn(test);
     if let Err(panic) = thread.expect("a thread").join() {
         std::panic::resume_unwind(panic);
     }

@@ -5,7 +5,9 @@ use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::thread::{self, Builder};
 
-use super::{Failure, STACK_BYTES, interrupt};
+use bica::runner::STACK_BYTES;
+
+use super::{Failure, interrupt};
 
 /// Runs with consecutive seeds.
 #[derive(Clone, Copy, Debug)]

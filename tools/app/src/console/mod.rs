@@ -17,10 +17,6 @@ pub use failure::Failure;
 pub use outcome::Outcome;
 pub use progress::Progress;
 
-/// Stack size of a thread that runs a robot, bytes. A tree may hold a whole image, and is built on the stack before it
-/// moves to the heap.
-pub const STACK_BYTES: usize = 32 << 20;
-
 /// Emphasis of a word on a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use bica::runner::STACK_BYTES;
 use bica_wire::model::Invalid;
 
 use super::session::Session;
@@ -56,9 +57,6 @@ impl Setup {
         Ok(world.prepare(&setup)?)
     }
 }
-
-/// Stack of a thread that prepares a world or plays in it, bytes: without optimisation a robot is copied several times.
-pub(super) const STACK_BYTES: usize = 32 << 20;
 
 impl World {
     /// Starts a world and waits until its link can be reached.

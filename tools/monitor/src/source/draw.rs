@@ -1,7 +1,6 @@
 //! Drawings of machines.
 
-use std::fmt::Write as _;
-
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use bica_vicode::Layout;
 use bica_vicode::draw::{Diagram, Format, dot, mermaid, png, svg};
 use serde_json::{Value, json};
@@ -43,39 +42,8 @@ impl Files {
                 }
                 let bytes = bica_drawing::png::encode(&png(&diagram));
                 let failed = |error| Failed::new(format!("no picture: {error}"), "choose SVG");
-                json!({ "base64": base64(&bytes.map_err(failed)?) })
+                json!({ "base64": BASE64_STANDARD.encode(bytes.map_err(failed)?) })
             }
         })
-    }
-}
-
-/// Base64 of RFC 4648, with padding.
-fn base64(bytes: &[u8]) -> String {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let byte = |index: usize| u32::from(three.get(index).copied().unwrap_or(0));
-        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for digit in 0..=three.len() {
-            text.push(char::from(LETTERS[(bits >> (18 - 6 * digit) & 63) as usize]));
-        }
-        // Writing into a string never fails.
-        let _ = write!(text, "{}", &"=="[..3 - three.len()]);
-    }
-    text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The test vectors of RFC 4648.
-    #[test]
-    fn base64_is_as_in_its_standard() {
-        let vectors =
-            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("fooba", "Zm9vYmE=")];
-        for (plain, coded) in vectors {
-            assert_eq!(base64(plain.as_bytes()), coded);
-        }
     }
 }

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, mpsc};
 use std::thread::{self, JoinHandle};
 
-use bica::runner::{Runner, World};
+use bica::runner::{Runner, STACK_BYTES, World};
 
 use super::client::{Address, Error};
 use super::entry::Entry;
@@ -13,8 +13,6 @@ use super::world::LeagueWorld;
 
 /// Name of the other team.
 const TEAM: &str = "Opponent";
-/// Stack size of the thread, bytes: the thread builds a tree.
-const STACK: usize = 16 << 20;
 
 /// Second forward, which plays until it is dropped. The server waits for each player, so the other player must have left it before.
 pub(crate) struct Opponent {
@@ -45,7 +43,7 @@ impl Opponent {
                 _ = runner.cycle();
             }
         };
-        let thread = thread::Builder::new().stack_size(STACK).spawn(play)?;
+        let thread = thread::Builder::new().stack_size(STACK_BYTES).spawn(play)?;
         Ok(Self { thread: Some(thread), is_over, joined })
     }
 

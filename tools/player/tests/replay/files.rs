@@ -6,8 +6,7 @@ use std::thread;
 use std::time::Duration;
 
 use bica::Tree;
-use bica::runner::{RequestQueue, Runner};
-use bica_app::STACK_BYTES;
+use bica::runner::{RequestQueue, Runner, STACK_BYTES};
 use bica_motion::model::simulation::NAO;
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;

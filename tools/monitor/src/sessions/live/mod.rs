@@ -14,6 +14,7 @@ use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
+use bica::runner::STACK_BYTES;
 use bica_link::{Address, Client, ClientOptions, waker};
 
 use super::commands::{Command, Commands};
@@ -21,7 +22,7 @@ use super::common::Common;
 use super::robot_recording::unused;
 use super::session::Session;
 use super::shared::Operator;
-use super::world::{STACK_BYTES, Setup, World};
+use super::world::{Setup, World};
 use crate::protocol::{Connection, Failed, Request, SessionId, SessionKind};
 use attached::Attached;
 use bica_wire::message::LogSource;
