@@ -9,8 +9,7 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use bica::runner::STACK_BYTES;
-use bica::runner::{Runner, World};
+use bica::runner::{Runner, STACK_BYTES, World};
 use bica_link::{Client, ClientOptions, LinkServer, ServerOptions};
 use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{Command, Sensors};

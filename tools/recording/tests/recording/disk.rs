@@ -111,18 +111,16 @@ fn long_sync_delays_no_write() {
             runner.think(now);
         }
         count += STEP;
-        let (began, mut length) = (Instant::now(), 0);
-        loop {
+        let (began, mut length, mut written) = (Instant::now(), usize::MAX, 0);
+        while written != count {
+            assert!(began.elapsed() < Duration::from_secs(20), "{written} of {count} cycles are written");
+            thread::sleep(Duration::from_millis(50));
             let contents = disk.contents();
             // While the file grows it is not read: each reading decompresses all of it.
-            let written =
-                if contents.len() == length { Info::read(&contents[..]).expect("a header").cycles } else { 0 };
-            if written == count {
-                break;
+            if contents.len() == length {
+                written = Info::read(&contents[..]).expect("a header").cycles;
             }
-            assert!(began.elapsed() < Duration::from_secs(20), "{written} of {count} cycles are written");
             length = contents.len();
-            thread::sleep(Duration::from_millis(50));
         }
         if disk.sync.begun.load(Ordering::Relaxed) {
             until = until.min(count + 1000);
