@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, MutexGuard};
 
+use bica::runner::STACK_BYTES;
 use bica_link::Description;
 
 use super::commands::Command;
@@ -46,7 +47,7 @@ impl Asked for Message<'_> {
     fn later(&self, work: Work) -> Result<Reply, Failed> {
         let (session, page, id) = (Arc::clone(self.session), self.page, self.id);
         let answer = move || session.pages.answer(page, id, work());
-        let started = std::thread::Builder::new().name("extension".to_owned()).spawn(answer);
+        let started = std::thread::Builder::new().name("extension".to_owned()).stack_size(STACK_BYTES).spawn(answer);
         started.map(|_| Reply::Later).map_err(|error| Failed::new(error.to_string(), "close other programs"))
     }
 }

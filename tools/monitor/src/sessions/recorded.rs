@@ -8,6 +8,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::thread;
 
+use bica::runner::STACK_BYTES;
 use bica_link::Description;
 use bica_recording::ReplayReport;
 use bica_wire::model::NamedSetting;
@@ -81,7 +82,7 @@ fn rerun_of(session: &Session) -> Result<&Rerun, Failed> {
 }
 
 fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> Result<(), Failed> {
-    let started = thread::Builder::new().name(name.to_owned()).spawn(work);
+    let started = thread::Builder::new().name(name.to_owned()).stack_size(STACK_BYTES).spawn(work);
     started.map(drop).map_err(|error| Failed::new(error.to_string(), "close other programs"))
 }
 

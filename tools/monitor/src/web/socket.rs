@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use axum::extract::ws::{CloseFrame, Message, WebSocket, WebSocketUpgrade};
 use axum::extract::{Extension, State};
 use axum::response::Response;
+use bica::runner::STACK_BYTES;
 use tokio::sync::{OwnedSemaphorePermit, watch};
 use tokio::time::{interval, sleep, timeout};
 
@@ -205,7 +206,7 @@ impl Requests {
 /// Starts the threads that pass a page's requests to the manager, which may wait for files and robots.
 fn handler(manager: Arc<Manager>, queue: Arc<Queue>, gone: Arc<AtomicBool>) -> std::io::Result<Requests> {
     let ((others, requests), (stops, stop_requests)) = (sync_channel(MAX_WAITING), sync_channel(MAX_WAITING));
-    std::thread::Builder::new().name("page".to_owned()).spawn(move || {
+    std::thread::Builder::new().name("page".to_owned()).stack_size(STACK_BYTES).spawn(move || {
         let page = manager.attach(queue);
         let manager = &*manager;
         std::thread::scope(|scope| {
